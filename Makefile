@@ -1,0 +1,71 @@
+# CAIR: everything a developer or operator types. `make run` and `make test` are all one needs.
+PYTHON ?= python3
+HOST ?= 127.0.0.1
+PORT ?= $(or $(CAIR_PORT),8000)
+WORKERS ?= $(shell $(PYTHON) -c "import os; print(os.cpu_count() or 2)")
+BIN := .venv/bin
+MANAGE := $(BIN)/python manage.py
+PURE_PYTEST := PYTHONPATH=. $(BIN)/python -m pytest -p no:django -p no:cacheprovider -c /dev/null --rootdir=. --import-mode=importlib
+
+.PHONY: run setup test test-engine test-server test-browser check format bench transcripts openapi content clean
+
+run: setup ## Set everything up and serve on http://HOST:PORT/
+	@echo "CAIR is at http://$(HOST):$(PORT)/ (Ctrl-C ends it)"
+	@exec $(BIN)/gunicorn --config cair_site/gunicorn_conf.py --bind $(HOST):$(PORT) --workers $(WORKERS) cair_site.wsgi
+
+setup: .venv/installed ## Virtual environment, database, content, publication: only what is missing
+	@$(MANAGE) prepare
+
+.venv/installed: requirements.txt
+	$(PYTHON) -m venv .venv
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements.txt
+	@touch $@
+
+.venv/installed-dev: .venv/installed requirements-dev.txt
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements-dev.txt
+	@touch $@
+
+test: .venv/installed test-engine ## All fast tests: engines without Django, then the site
+	$(BIN)/python -m pytest -q -n 2 --dist loadfile -m "not browser and not server" --ignore=tests/engine
+
+test-engine: .venv/installed ## The pure engines, with Django impossible to import
+	$(PURE_PYTEST) -q tests/engine
+
+test-server: .venv/installed ## Real gunicorn on loopback: existing clients, hostile bodies, publishing under load
+	$(BIN)/python -m pytest -q -m server tests/server
+
+test-browser: .venv/installed ## The web chat and the admin in headless Chromium
+	$(BIN)/python -m pytest -q -m browser tests/browser
+
+check: .venv/installed-dev ## Formatting, linters, types, arrows, migrations, content
+	$(BIN)/ruff format --check .
+	$(BIN)/ruff check .
+	$(BIN)/lint-imports
+	$(BIN)/mypy
+	$(BIN)/djlint --lint --quiet templates
+	$(BIN)/codespell
+	$(MANAGE) makemigrations --check --dry-run
+	$(MANAGE) check_content
+
+format: .venv/installed-dev ## Format the code
+	$(BIN)/ruff format .
+	$(BIN)/ruff check --fix .
+
+bench: .venv/installed ## Figures of docs/figures.md
+	$(BIN)/python benchmarks/state_size.py
+	$(BIN)/python benchmarks/keywords.py
+	$(BIN)/python benchmarks/tree.py
+
+content: setup ## Load content/ into the draft and write it back: canonical form, numbers for what is new
+	$(MANAGE) load_content
+	$(MANAGE) publish
+	$(MANAGE) dump_content
+
+transcripts: setup ## Write docs/transcripts/ again (same seeds, same talks)
+	$(MANAGE) talk --transcripts docs/transcripts
+
+openapi: setup ## Write docs/openapi.yaml
+	$(MANAGE) spectacular --file docs/openapi.yaml
+
+clean: ## Remove what make made; the database in var/ stays
+	rm -rf .venv staticfiles .mypy_cache .ruff_cache .pytest_cache

@@ -1,0 +1,141 @@
+"""`/CAIR_hub`: the clients that already exist, unmodified (docs/compatibility.md).
+
+What never changed between their generations: an empty body asks for the initial state, any other
+body is a turn. So that decides, on one route, for GET, PUT and POST.
+"""
+
+import logging
+from typing import Any
+
+import msgspec
+from django.conf import settings
+from django.http import HttpRequest, HttpResponse
+from django.views.decorators.csrf import csrf_exempt
+
+from cair_site.compat_speech import Heard, hear, spoken
+from cair_site.errors import ApiError, error_json, named
+from cair_site.messages import deflated, inflated, parse_json, read_bytes
+from dialogue.engine.saying import apology
+from dialogue.engine.state import DialogueState
+from dialogue.publishing import NothingPublishedError, current
+from dialogue.turns import UnknownChoiceError, first_turn, read_state, take_turn, write_state
+from languages.known import LANGUAGES
+
+logger = logging.getLogger(__name__)
+
+Json = dict[str, Any]
+METHODS = ("GET", "PUT", "POST")
+STATE_VERSION = 1
+#: Fields that clients read or write in the state; those they change come back to them.
+NOT_OURS = {"conversation_history": [], "ongoing_conversation": True, "formal_language": True}
+
+
+@csrf_exempt
+def hub(request: HttpRequest, language: str = "") -> HttpResponse:
+    """Answer a start or a turn of an existing client."""
+    if request.method not in METHODS:
+        return _answer(error_json(ApiError("method.not_allowed")), status=405)
+    try:
+        body, encoding = inflated(read_bytes(request, request))
+        message = parse_json(body)
+    except ApiError as error:
+        return _answer(error_json(error), status=error.status)
+    if _is_start(request, message):
+        return _answer(_start(message, language))
+    return _answer(_turn(message, language), encoding)
+
+
+def _answer(data: Json, encoding: str = "", status: int = 200) -> HttpResponse:
+    content = msgspec.json.encode(data)
+    response = HttpResponse(
+        deflated(content, encoding) if encoding else content,
+        content_type="application/json",
+        status=status,
+    )
+    if encoding:
+        response.headers["Content-Encoding"] = encoding
+    return response
+
+
+def _is_start(request: HttpRequest, message: Json) -> bool:
+    asked = request.path.rstrip("/").endswith("/start")
+    return asked or not message.keys() & {"client_sentence", "sentence", "dialogue_state"}
+
+
+def _language(message: Json, prefix: str) -> str:
+    """Return the language of a talk: the route's, else the message's, else the server's."""
+    given = prefix or message.get("language")
+    code = given.lower()[:2] if isinstance(given, str) else ""
+    return code if code in LANGUAGES else settings.CAIR_LANGUAGE
+
+
+def _start(message: Json, prefix: str) -> Json:
+    """Return the initial state; a falsy one tells the clients to ask again."""
+    try:
+        said = first_turn(current(), _language(message, prefix), "")
+    except NothingPublishedError:
+        return {"dialogue_state": {}, "first_sentence": "", "reply": ""}
+    text = spoken(said.sentence, "")
+    return {"dialogue_state": _state_json(said.state, {}), "first_sentence": text, "reply": text}
+
+
+def _state_json(state: DialogueState, old: Json) -> Json:
+    """Return the state as an object with the fields that clients look at; only `state` counts."""
+    return {
+        **NOT_OURS,
+        **old,
+        "v": STATE_VERSION,
+        "topic": state.topic,
+        "sentence_type": state.last_type,
+        "pattern": state.ordering,
+        "state": write_state(state),
+        "ongoing_conversation": not state.ended,
+    }
+
+
+def _turn(message: Json, prefix: str) -> Json:
+    """Return the answer of a turn; trouble becomes an apology and the unchanged state."""
+    heard = hear(message)
+    old = message.get("dialogue_state")
+    old = old if isinstance(old, dict) else {}
+    try:
+        answer = _talk(heard, old)
+    except Exception as error:
+        if named(error) is None:
+            logger.exception("A turn failed")
+        answer = _apologise(heard, old, _language(message, prefix))
+    return answer | {
+        name: message[name]
+        for name in ("dialogue_statistics", "due_intervention")
+        if name in message
+    }
+
+
+def _talk(heard: Heard, old: Json) -> Json:
+    content = current()
+    text = old.get("state")
+    if not isinstance(text, str):
+        raise ApiError("state.unreadable")
+    taken = take_turn(content, read_state(text), heard.sentence)
+    said = taken.reply
+    return {
+        "dialogue_state": _state_json(said.state, old),
+        heard.names.plan_sentence: spoken(taken.plan.plan_sentence, heard.profile),
+        "plan": taken.plan.plan,
+        heard.names.dialogue_sentence: heard.reply(
+            said.sentence_type, spoken(said.sentence, heard.profile)
+        ),
+    }
+
+
+def _apologise(heard: Heard, old: Json, language: str) -> Json:
+    try:
+        text = apology(current(), language)
+    except (NothingPublishedError, UnknownChoiceError):
+        text = ""
+    return {
+        "dialogue_state": old,
+        heard.names.plan_sentence: "",
+        "plan": "",
+        heard.names.dialogue_sentence: heard.reply("c", text),
+    }

@@ -1,0 +1,94 @@
+"""Settings from the environment: a wrong value stops the start and says its name."""
+
+import os
+import secrets
+from pathlib import Path
+from urllib.parse import unquote, urlsplit
+
+from django.core.exceptions import ImproperlyConfigured
+
+
+def text(name: str, default: str = "") -> str:
+    """Return a variable; `NAME_FILE` may name a file that holds it (for secrets)."""
+    path = os.environ.get(f"{name}_FILE")
+    if path:
+        try:
+            return Path(path).read_text(encoding="utf-8").strip()
+        except OSError as error:
+            raise ImproperlyConfigured(f"{name}_FILE: cannot read {path}: {error}.") from error
+    return os.environ.get(name, default).strip()
+
+
+def number(name: str, default: int, *, least: int = 0, most: int = 2**40) -> int:
+    """Return a whole number within limits."""
+    value = text(name, str(default))
+    if not value.isdecimal() or not least <= int(value) <= most:
+        raise ImproperlyConfigured(f"{name} is {value!r}; give a whole number {least}..{most}.")
+    return int(value)
+
+
+def flag(name: str, *, default: bool = False) -> bool:
+    """Return a yes or no."""
+    value = text(name, "yes" if default else "no").lower()
+    if value not in {"yes", "no", "true", "false", "1", "0"}:
+        raise ImproperlyConfigured(f"{name} is {value!r}; give yes or no.")
+    return value in {"yes", "true", "1"}
+
+
+def words(name: str, default: str = "") -> list[str]:
+    """Return a comma-separated list."""
+    return [word.strip() for word in text(name, default).split(",") if word.strip()]
+
+
+def secret(name: str, var: Path) -> str:
+    """Return a secret from the environment, else one made once and kept in `var` for its owner."""
+    given = text(name)
+    if given:
+        return given
+    path = var / name.lower()
+    try:
+        var.mkdir(parents=True, exist_ok=True, mode=0o700)
+        with path.open("x", encoding="ascii") as file:
+            path.chmod(0o600)
+            file.write(secrets.token_urlsafe(48))
+    except FileExistsError:
+        pass
+    except OSError as error:
+        raise ImproperlyConfigured(
+            f"{name} is not set and {var} cannot be written: {error}. Set {name} or CAIR_VAR."
+        ) from error
+    return path.read_text(encoding="ascii")
+
+
+def database(url: str, default: Path) -> dict[str, object]:
+    """Return Django's database settings of `sqlite:///path` or `postgres://user:pw@host/name`."""
+    if not url:
+        return sqlite(default)
+    parts = urlsplit(url)
+    if parts.scheme == "sqlite":
+        return sqlite(Path(unquote(parts.path)))
+    if parts.scheme in {"postgres", "postgresql"}:
+        return {
+            "ENGINE": "django.db.backends.postgresql",
+            "NAME": unquote(parts.path.lstrip("/")),
+            "USER": unquote(parts.username or ""),
+            "PASSWORD": unquote(parts.password or ""),
+            "HOST": parts.hostname or "",
+            "PORT": str(parts.port or ""),
+            "CONN_MAX_AGE": 60,
+        }
+    raise ImproperlyConfigured("DATABASE_URL: give sqlite:///path or postgres://user@host/name.")
+
+
+def sqlite(path: Path) -> dict[str, object]:
+    """Return the settings of an SQLite file in write-ahead mode."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    return {
+        "ENGINE": "django.db.backends.sqlite3",
+        "NAME": str(path),
+        "OPTIONS": {
+            "init_command": "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL;",
+            "transaction_mode": "IMMEDIATE",
+            "timeout": 20,
+        },
+    }

@@ -1,0 +1,33 @@
+"""Addresses: the chat, the API, the clients that exist, the admin, health."""
+
+from django.contrib import admin
+from django.urls import include, path, re_path
+from drf_spectacular.views import SpectacularAPIView
+from rest_framework.routers import SimpleRouter
+
+from cair_site import compat, operations, pages
+from cair_site.hub import HubViewSet
+from dialogue.api import DialogueViewSet
+from dialogue.topics_api import TopicViewSet
+from plans.api import ActionViewSet, IntentViewSet, PlanViewSet
+
+router = SimpleRouter()
+router.register("hub", HubViewSet, basename="hub")
+router.register("plan", PlanViewSet, basename="plan")
+router.register("dialogue", DialogueViewSet, basename="dialogue")
+router.register("topics", TopicViewSet, basename="topics")
+router.register("intents", IntentViewSet, basename="intents")
+router.register("actions", ActionViewSet, basename="actions")
+
+urlpatterns = [
+    path("", pages.chat, name="chat"),
+    path("admin/", admin.site.urls),
+    path("api/v1/", include(router.urls)),
+    path("api/schema/", SpectacularAPIView.as_view(), name="schema"),
+    path("api/docs/", pages.docs, name="docs"),
+    re_path(r"^(?:(?P<language>[a-z]{2})/)?CAIR_hub(?:/start)?/?$", compat.hub, name="compat"),
+    path("livez", operations.livez),
+    path("readyz", operations.readyz),
+]
+handler404 = "cair_site.errors.not_found"
+handler500 = "cair_site.errors.server_error"

@@ -1,0 +1,1 @@
+"""The Dialogue Manager: it decides what the agent says next."""

@@ -1,0 +1,139 @@
+"""Read the rows of the Dialogue Manager into plain values (a fixed number of queries)."""
+
+from collections import defaultdict
+from collections.abc import Iterable, Mapping
+
+from dialogue import models
+from dialogue.engine import concepts
+from languages.known import LANGUAGES
+
+ByTopic = dict[int, list[concepts.Frame]]
+
+
+def read_knowledge() -> concepts.Knowledge:
+    """Return the whole draft: cultures, topics in tree order, pools."""
+    cultures = tuple(models.Culture.objects.all())
+    codes = {row.pk: row.code for row in cultures}
+    frames, pools = _frames(codes)
+    rows = {row.pk: row for row in models.Topic.objects.all()}
+    keys = {number: row.key for number, row in rows.items()}
+    parts = _Parts(codes, keys)
+    topics = tuple(_topic(rows[number], parts, frames, codes) for number in _in_tree_order(rows))
+    return concepts.Knowledge(
+        cultures=tuple(
+            concepts.Culture(code=row.code, names=row.names, language=row.language)
+            for row in cultures
+        ),
+        topics=topics,
+        pools=pools,
+    )
+
+
+class _Parts:
+    """The rows below each topic, by topic number."""
+
+    def __init__(self, codes: Mapping[int, str], keys: Mapping[int, str]) -> None:
+        self.keys = keys
+        self.names: dict[int, dict[str, dict[str, str]]] = defaultdict(dict)
+        for name in models.TopicName.objects.all():
+            self.names[name.topic_id][name.language] = {"name": name.name, **name.fields}
+        self.variables: dict[int, dict[str, dict[str, str]]] = defaultdict(dict)
+        for variable in models.Variable.objects.order_by("id"):
+            texts = self.variables[variable.topic_id].setdefault(variable.language, {})
+            texts[variable.name] = variable.text
+        self.keywords: dict[int, dict[str, tuple[tuple[str, ...], tuple[str, ...]]]]
+        self.keywords = defaultdict(dict)
+        for row in models.KeywordSet.objects.all():
+            self.keywords[row.topic_id][row.language] = (_words(row.first), _words(row.second))
+        self.likeliness: dict[int, dict[str, float]] = defaultdict(dict)
+        for instance in models.TopicInstance.objects.order_by("culture__position"):
+            value = float(instance.likeliness)
+            self.likeliness[instance.topic_id][codes[instance.culture_id]] = value
+        self.see: dict[int, list[str]] = defaultdict(list)
+        for link in models.TopicLink.objects.all():
+            self.see[link.topic_id].append(keys[link.target_id])
+        self.also: dict[int, list[str]] = defaultdict(list)
+        for lent in models.Topic.also.through.objects.order_by("id"):
+            self.also[lent.from_topic_id].append(keys[lent.to_topic_id])
+
+
+def _words(text: str) -> tuple[str, ...]:
+    return tuple(word for word in text.split("|") if word)
+
+
+def _in_tree_order(rows: Mapping[int, models.Topic]) -> list[int]:
+    """Return the topics branch after branch, each in the order its experts gave it."""
+    branches: dict[int, list[int]] = {}
+    for number, row in rows.items():
+        above = row
+        for _ in range(len(rows)):
+            if above.parent_id is None:
+                break
+            above = rows[above.parent_id]
+        branches.setdefault(above.pk, []).append(number)
+    order = {number: place for place, number in enumerate(rows)}
+    by_key = sorted(branches, key=lambda number: rows[number].key)
+    return [
+        number for branch in by_key for number in sorted(branches[branch], key=order.__getitem__)
+    ]
+
+
+def _in_order(texts: Mapping[str, object]) -> list[str]:
+    return [code for code in LANGUAGES if code in texts]
+
+
+def _topic(
+    row: models.Topic, parts: _Parts, frames: ByTopic, codes: Mapping[int, str]
+) -> concepts.Topic:
+    number = row.pk
+    names, variables = parts.names[number], parts.variables[number]
+    keywords = parts.keywords[number]
+    return concepts.Topic(
+        number=number,
+        key=row.key,
+        is_a=parts.keys[row.parent_id] if row.parent_id else concepts.ROOT,
+        also=tuple(parts.also[number]),
+        of=codes[row.home_id] if row.home_id else "",
+        gentle=row.gentle,
+        stop=row.stop,
+        pattern=tuple(part.strip() for part in row.pattern.split(" | ")) if row.pattern else (),
+        variables={code: variables[code] for code in _in_order(variables)},
+        names={code: names[code] for code in _in_order(names)},
+        keywords={code: keywords[code] for code in _in_order(keywords)},
+        likeliness=parts.likeliness[number],
+        see=tuple(parts.see[number]),
+        note=row.note,
+        frames=tuple(frames[number]),
+    )
+
+
+def _frames(codes: Mapping[int, str]) -> tuple[ByTopic, dict[str, tuple[concepts.Frame, ...]]]:
+    """Return the frames of topics by topic number, and those of pools by pool."""
+    texts: dict[int, dict[str, str]] = defaultdict(dict)
+    for sentence in models.Sentence.objects.all():
+        texts[sentence.frame_id][sentence.language] = sentence.text
+    only: dict[int, list[str]] = defaultdict(list)
+    for row in models.Frame.only.through.objects.order_by("id"):
+        only[row.frame_id].append(codes[row.culture_id])
+    topics: ByTopic = defaultdict(list)
+    pools: dict[str, list[concepts.Frame]] = defaultdict(list)
+    for frame in models.Frame.objects.all():
+        value = _frame(frame, texts[frame.pk], only[frame.pk])
+        if frame.topic_id is None:
+            pools[frame.pool].append(value)
+        else:
+            topics[frame.topic_id].append(value)
+    return topics, {name: tuple(frames) for name, frames in pools.items()}
+
+
+def _frame(row: models.Frame, texts: Mapping[str, str], only: Iterable[str]) -> concepts.Frame:
+    return concepts.Frame(
+        number=row.pk,
+        key=row.key,
+        type=row.type or row.pool,
+        texts={code: texts[code] for code in _in_order(texts)},
+        slot=row.slot,
+        only=tuple(only),
+        scope=row.scope,
+        do=row.do,
+    )

@@ -1,0 +1,1 @@
+"""The pure Dialogue Manager: it knows no Django."""

@@ -1,0 +1,1 @@
+"""KBplan actions: one file each, one row each in `table.py`."""

@@ -1,0 +1,21 @@
+"""opinion: the person asks what the agent thinks of something."""
+
+from collections.abc import Mapping
+
+from dialogue.engine.find_topic import named_topic
+from dialogue.engine.flow import begin
+from dialogue.engine.saying import say_from_pool
+from dialogue.engine.turn import Turn
+from dialogue.engine.wishes import is_personal, stay_with
+
+
+def opinion(turn: Turn, parameters: Mapping[str, str | None]) -> bool:
+    """Speak about a known topic without a yes/no question; without one, about this topic."""
+    words = parameters.get("topic") or ""
+    node = named_topic(turn, words) if words else turn.node
+    if node is None or is_personal(turn, words):
+        said = say_from_pool(turn, "opinion")
+        return stay_with(turn, words, "q") or said
+    turn.change(siblings=0, noes=0)
+    begin(turn, node, opinion=True)
+    return True

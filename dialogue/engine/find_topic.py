@@ -1,0 +1,37 @@
+"""Find the topic a person means: by keywords in what they say, or by the name in a wish."""
+
+from dialogue.engine.chance import draw
+from dialogue.engine.tree import Node
+from dialogue.engine.turn import Turn
+
+LONGEST_HEARD = 2000
+
+
+def topic_of_sentence(turn: Turn, sentence: str) -> Node | None:
+    """Return one of the topics whose keywords are in the sentence (Algorithm 1, lines 21-24).
+
+    The best rank wins, hard subjects before others; then a draw by likeliness; a topic of
+    likeliness 0 only where nothing else matched.
+    """
+    index = turn.content.keywords[turn.state.language]
+    matches = index.search(sentence[:LONGEST_HEARD])
+    found = [(node, match) for match in matches if (node := turn.content.tree.node(match.topic))]
+    if not found:
+        return None
+    gentle = [(node, match) for node, match in found if node.gentle]
+    found = gentle or found
+    best = max(match.rank for _, match in found)
+    options = [(node, turn.likeliness(node)) for node, match in found if match.rank == best]
+    chosen = draw(options, turn.chance) or options[0][0]
+    words = next(match.words for node, match in found if node is chosen)
+    turn.note("keywords", f"{', '.join(words)} → {chosen.key}", options)
+    return chosen
+
+
+def named_topic(turn: Turn, words: str) -> Node | None:
+    """Return the topic of a KBplan action: by its name in the ontology, else by keywords."""
+    words = words.replace("_", " ").strip()
+    if not words:
+        return None
+    node = turn.content.tree.by_key.get("".join(words.split()))
+    return node or topic_of_sentence(turn, words)

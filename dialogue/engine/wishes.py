@@ -1,0 +1,41 @@
+"""What the person wants wins: stay with them when they speak of someone or something of theirs."""
+
+from dialogue.engine.saying import say_from_pool, say_of_type
+from dialogue.engine.tree import ON_YOUR_MIND
+from dialogue.engine.turn import Turn
+
+#: The pool for each way of bringing something up (the `startsentence` of the jump).
+_POOLS = {"p": "fond", "n": "averse"}
+LONGEST_WISH = 80
+
+
+def is_personal(turn: Turn, words: str) -> bool:
+    """Say whether the words speak of someone's own: "my wife Margaret"."""
+    return turn.language.their_words(words).casefold() != words.casefold()
+
+
+def stay_with(turn: Turn, words: str, startsentence: str) -> bool:
+    """Ask about what the person brought up, in their words, and go on listening.
+
+    Followed in the next turns by remarks and open questions that presuppose nothing.
+    """
+    said = " ".join(words.split())
+    if not said or len(said) > LONGEST_WISH:
+        return False
+    pool = _POOLS.get(startsentence, "wish")
+    if not say_from_pool(turn, pool, words={"what": turn.language.their_words(said)}):
+        return False
+    turn.note("stay", f"Nothing known about these words: stay with the person ({pool}).")
+    listen(turn)
+    if pool == "averse" and turn.node:
+        turn.change(ordering="w")
+        say_of_type(turn, turn.node, "c")
+    return True
+
+
+def listen(turn: Turn) -> None:
+    """Make listening the topic: c w c, without proposals."""
+    node = turn.content.tree.by_key.get(ON_YOUR_MIND)
+    if node:
+        turn.state = turn.state.with_topic_started(node.number)
+        turn.change(ordering="cwc", siblings=0, noes=0)

@@ -1,0 +1,312 @@
+"""The rows that experts edit: topics, what is said about them, and publications."""
+
+from django.conf import settings
+from django.core.validators import MaxValueValidator, MinValueValidator, RegexValidator
+from django.db import models
+from django.db.models import Q
+
+from dialogue.engine.pools import POOLS
+from dialogue.engine.sentence_types import SENTENCE_TYPES
+from languages.known import LANGUAGES
+
+LANGUAGE_CHOICES = [(code, language.own_name) for code, language in LANGUAGES.items()]
+TYPE_CHOICES = [(row.letter, f"{row.letter}: {row.name}") for row in SENTENCE_TYPES.values()]
+POOL_CHOICES = [(pool.name, f"{pool.name}: {pool.used_when}") for pool in POOLS.values()]
+SCOPE_CHOICES = [
+    ("", "this topic and everything below it"),
+    ("self", "this topic only"),
+    ("below", "only what is below this topic"),
+]
+
+one_name = RegexValidator(
+    r"\A[A-Za-z][A-Za-z0-9]{0,99}\Z", "Write one word of letters and digits, e.g. GreenTea."
+)
+no_control = RegexValidator(
+    r"\A[^\x00-\x08\x0b-\x1f\x7f\ud800-\udfff\ufffe\uffff]*\Z",
+    "Remove the invisible control characters (they often come with pasted text).",
+)
+
+
+class Culture(models.Model):
+    """A culture with its own layer of the ontology (CS-ABox)."""
+
+    code = models.CharField(
+        max_length=8,
+        unique=True,
+        validators=[RegexValidator(r"\A[A-Z]{2,8}\Z", "Write two to eight capitals, e.g. EN.")],
+        help_text="Short code in capitals. Example: EN",
+    )
+    names = models.JSONField(
+        default=dict,
+        help_text='Its name in each language. Example: {"en": "Indian", "it": "indiana"}',
+    )
+    language = models.CharField(
+        max_length=8, choices=LANGUAGE_CHOICES, help_text="The language usually spoken. Example: en"
+    )
+    position = models.PositiveIntegerField(default=0, help_text="Place in lists. Example: 1")
+
+    class Meta:
+        ordering = ["position", "id"]
+
+    def __str__(self) -> str:
+        return self.code
+
+
+class Topic(models.Model):
+    """A concept people can talk about: a class of the TBox, a node of the Dialogue Tree."""
+
+    key = models.CharField(
+        "name in the ontology",
+        max_length=100,
+        unique=True,
+        validators=[one_name],
+        help_text="One word in CamelCase, used as the OWL class. Example: GreenTea",
+    )
+    parent = models.ForeignKey(
+        "self",
+        models.PROTECT,
+        null=True,
+        blank=True,
+        related_name="children",
+        help_text="The more general topic. Empty for a branch. Example: Tea",
+    )
+    also = models.ManyToManyField(
+        "self",
+        symmetrical=False,
+        blank=True,
+        related_name="lends_to",
+        help_text="Further topics whose sentences fit this one too. Example: Giftable",
+    )
+    home = models.ForeignKey(
+        Culture,
+        models.PROTECT,
+        null=True,
+        blank=True,
+        help_text="The culture it belongs to, empty if shared. Example: IT for Gnocchi",
+    )
+    gentle = models.BooleanField(
+        default=False,
+        help_text="A hard subject: never proposed by the agent, listened to gently. Example: grief",
+    )
+    stop = models.CharField(
+        "inherits no sentences of",
+        max_length=8,
+        blank=True,
+        validators=[RegexValidator(r"\A[qpnwcgte]*\Z", "Use the letters of sentence types.")],
+        help_text="Letters of the types not taken from more general topics. Example: qg",
+    )
+    pattern = models.CharField(
+        max_length=200,
+        blank=True,
+        help_text="Order of the sentence types; alternatives after |. Example: q r w c [g] | c q r",
+    )
+    note = models.TextField(
+        blank=True, max_length=2000, help_text="For colleagues. Example: checked by the nurses"
+    )
+    position = models.PositiveIntegerField(
+        default=0, help_text="Place among its neighbours. Example: 3"
+    )
+
+    class Meta:
+        ordering = ["position", "id"]
+
+    def __str__(self) -> str:
+        return self.key
+
+
+class TopicName(models.Model):
+    """What a topic is called in one language, with the forms that cannot be derived."""
+
+    topic = models.ForeignKey(Topic, models.CASCADE, related_name="names")
+    language = models.CharField(max_length=8, choices=LANGUAGE_CHOICES, help_text="Example: it")
+    name = models.CharField(
+        max_length=120,
+        validators=[no_control],
+        help_text="What fits after “I like …”; in Italian without article. Example: tè verde",
+    )
+    fields = models.JSONField(
+        "further forms",
+        default=dict,
+        blank=True,
+        help_text='Gender, number and irregular forms. Example: {"g": "m", "n": "p", "sg": "cane"}',
+    )
+
+    class Meta:
+        constraints = [models.UniqueConstraint("topic", "language", name="one_name_a_language")]
+
+    def __str__(self) -> str:
+        return f"{self.name} ({self.language})"
+
+
+class Variable(models.Model):
+    """A word that sentences of this topic and of all below it may use as `$unit`."""
+
+    topic = models.ForeignKey(Topic, models.CASCADE, related_name="variables")
+    language = models.CharField(max_length=8, choices=LANGUAGE_CHOICES, help_text="Example: en")
+    name = models.CharField(
+        max_length=40,
+        validators=[RegexValidator(r"\A[a-z][a-z_]*\Z", "Small letters only, e.g. unit.")],
+        help_text="Used in sentences after a $. Example: unit",
+    )
+    text = models.CharField(max_length=120, validators=[no_control], help_text="Example: a cup of")
+
+    class Meta:
+        constraints = [models.UniqueConstraint("topic", "language", "name", name="one_variable")]
+
+    def __str__(self) -> str:
+        return f"${self.name} ({self.language})"
+
+
+class KeywordSet(models.Model):
+    """The two sets of words by which a topic is recognised in one language."""
+
+    topic = models.ForeignKey(Topic, models.CASCADE, related_name="keywords")
+    language = models.CharField(max_length=8, choices=LANGUAGE_CHOICES, help_text="Example: en")
+    first = models.CharField(
+        max_length=500, validators=[no_control], help_text="Words apart by |. Example: green|matcha"
+    )
+    second = models.CharField(
+        max_length=500,
+        validators=[no_control],
+        default="*",
+        help_text="A word of this set must be heard too; * means any. Example: tea",
+    )
+
+    class Meta:
+        constraints = [models.UniqueConstraint("topic", "language", name="one_keyword_set")]
+
+    def __str__(self) -> str:
+        return f"{self.first} / {self.second}"
+
+
+class TopicInstance(models.Model):
+    """The individual of a topic in one culture (CS-ABox), e.g. EN_TEA, with its likeliness."""
+
+    topic = models.ForeignKey(Topic, models.CASCADE, related_name="instances")
+    culture = models.ForeignKey(Culture, models.CASCADE, related_name="instances")
+    likeliness = models.DecimalField(
+        max_digits=4,
+        decimal_places=3,
+        validators=[MinValueValidator(0), MaxValueValidator(1)],
+        help_text="How probable it is that a person of this culture likes it, 0 to 1. Example: 0.7",
+    )
+
+    class Meta:
+        constraints = [
+            models.UniqueConstraint("topic", "culture", name="one_instance_a_culture"),
+            models.CheckConstraint(
+                condition=Q(likeliness__gte=0, likeliness__lte=1), name="likeliness_0_to_1"
+            ),
+        ]
+
+    def __str__(self) -> str:
+        return f"{self.culture_id}: {self.likeliness}"
+
+
+class TopicLink(models.Model):
+    """hasTopic: another topic this one leads to."""
+
+    topic = models.ForeignKey(Topic, models.CASCADE, related_name="links")
+    target = models.ForeignKey(
+        Topic, models.CASCADE, related_name="linked_from", help_text="Example: Milk"
+    )
+    position = models.PositiveIntegerField(default=0, help_text="Place in the list. Example: 1")
+
+    class Meta:
+        ordering = ["position", "id"]
+        constraints = [
+            models.UniqueConstraint("topic", "target", name="one_link"),
+            models.CheckConstraint(condition=~Q(topic=models.F("target")), name="link_elsewhere"),
+        ]
+
+    def __str__(self) -> str:
+        return f"to {self.target_id}"
+
+
+class Frame(models.Model):
+    """One thing the agent can say, about a topic or from a pool, in every language."""
+
+    key = models.CharField(
+        max_length=140,
+        unique=True,
+        help_text="Stable name. Example: GreenTea.q1",
+        validators=[
+            RegexValidator(r"\A\w{1,100}\.[a-z]?[0-9]{1,5}\Z", "Write it like GreenTea.q1.")
+        ],
+    )
+    topic = models.ForeignKey(
+        Topic,
+        models.CASCADE,
+        null=True,
+        blank=True,
+        related_name="frames",
+        help_text="Example: Tea",
+    )
+    pool = models.CharField(
+        max_length=40, blank=True, choices=POOL_CHOICES, help_text="For lines without a topic."
+    )
+    type = models.CharField(
+        max_length=1, blank=True, choices=TYPE_CHOICES, help_text="Example: q, a yes/no question"
+    )
+    scope = models.CharField(
+        max_length=8, blank=True, choices=SCOPE_CHOICES, help_text="Where it may be said."
+    )
+    only = models.ManyToManyField(
+        Culture, blank=True, help_text="Said only in these cultures; none chosen means all."
+    )
+    do = models.CharField(
+        "activity",
+        max_length=200,
+        blank=True,
+        validators=[no_control],
+        help_text="For proposals: the plan to run. Example: playsong title=$hasName",
+    )
+    slot = models.SmallIntegerField(default=-1, editable=False)
+    position = models.PositiveIntegerField(default=0, help_text="Place in the list. Example: 2")
+
+    class Meta:
+        ordering = ["position", "id"]
+        constraints = [
+            models.CheckConstraint(
+                condition=Q(topic__isnull=False, pool="") | Q(topic__isnull=True) & ~Q(pool=""),
+                name="frame_of_topic_or_pool",
+            )
+        ]
+
+    def __str__(self) -> str:
+        return self.key
+
+
+class Sentence(models.Model):
+    """What a frame says in one language."""
+
+    frame = models.ForeignKey(Frame, models.CASCADE, related_name="sentences")
+    language = models.CharField(max_length=8, choices=LANGUAGE_CHOICES, help_text="Example: en")
+    text = models.CharField(
+        max_length=400, validators=[no_control], help_text="Example: Do you like $hasName?"
+    )
+
+    class Meta:
+        constraints = [models.UniqueConstraint("frame", "language", name="one_sentence_a_language")]
+
+    def __str__(self) -> str:
+        return self.text
+
+
+class Publication(models.Model):
+    """One built Dialogue Tree with its plans: what robots use. Never changed once written."""
+
+    created = models.DateTimeField(auto_now_add=True)
+    author = models.ForeignKey(
+        settings.AUTH_USER_MODEL, models.SET_NULL, null=True, blank=True, editable=False
+    )
+    note = models.CharField(max_length=300, blank=True, help_text="Example: new topics about tea")
+    checksum = models.CharField(max_length=64, editable=False)
+    counts = models.JSONField(default=dict, editable=False)
+    data = models.BinaryField(editable=False)
+
+    class Meta:
+        ordering = ["-id"]
+
+    def __str__(self) -> str:
+        return f"Publication {self.pk}"

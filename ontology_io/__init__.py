@@ -1,0 +1,1 @@
+"""Knowledge in and out: files and ontologies."""

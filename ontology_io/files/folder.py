@@ -1,0 +1,177 @@
+"""The folder content/: read whole into a knowledge base, written whole from one."""
+
+import re
+from collections.abc import Mapping
+from pathlib import Path
+
+import msgspec
+
+from dialogue.engine.concepts import ROOT, Frame, Knowledge, Topic
+from ontology_io.files.intents_files import read_library, write_library
+from ontology_io.files.nodes import ContentError, Problems
+from ontology_io.files.numbers import Ledger, read_ledger, write_ledger
+from ontology_io.files.pools_files import read_cultures, read_pools, write_cultures, write_pools
+from ontology_io.files.topics_reader import Place, read_topics
+from ontology_io.files.topics_writer import write_topics
+from ontology_io.records import KnowledgeBase
+from plans.engine.intents import Library
+
+CULTURES, POOLS, INTENTS, NUMBERS = "cultures.yaml", "pools.yaml", "intents.yaml", "numbers.tsv"
+NOT_BRANCHES = frozenset((CULTURES, POOLS, INTENTS))
+
+
+class Folder(msgspec.Struct, frozen=True, kw_only=True):
+    """What a folder holds: the knowledge base, the last numbers given, and where things stand."""
+
+    base: KnowledgeBase
+    last: dict[str, int]
+    places: dict[str, tuple[str, int]]
+
+
+def read_folder(path: Path) -> Folder:
+    """Return all that the files say. Raises ContentError with every problem found."""
+    reader = _Reader(path)
+    folder = reader.read()
+    if reader.problems:
+        raise ContentError([problem for each in reader.problems for problem in each.found])
+    return folder
+
+
+class _Reader:
+    """Reads one folder, collecting problems a file."""
+
+    def __init__(self, path: Path) -> None:
+        self.path = path
+        self.all_problems: list[Problems] = []
+
+    @property
+    def problems(self) -> list[Problems]:
+        return [problems for problems in self.all_problems if problems.found]
+
+    def read(self) -> Folder:
+        cultures = read_cultures(*self._file(CULTURES))
+        codes = tuple(culture.code for culture in cultures)
+        pools = read_pools(*self._file(POOLS))
+        library = read_library(*self._file(INTENTS))
+        ledger = read_ledger(*self._file(NUMBERS))
+        topics: list[Topic] = []
+        places: dict[str, tuple[str, int]] = {}
+        for file in sorted(self.path.glob("*.yaml")):
+            if file.name not in NOT_BRANCHES:
+                text, problems = self._file(file.name)
+                found, where = read_topics(text, problems, codes)
+                self._twice(where, places, problems)
+                topics.extend(found)
+                places |= {key: (place.file, place.line) for key, place in where.items()}
+        knowledge = Knowledge(
+            cultures=cultures,
+            topics=tuple(_numbered_topic(topic, ledger) for topic in topics),
+            pools={
+                name: tuple(_numbered_frame(frame, ledger) for frame in frames)
+                for name, frames in pools.items()
+            },
+        )
+        base = KnowledgeBase(knowledge=knowledge, library=_numbered_library(library, ledger))
+        return Folder(base=base, last=ledger.last, places=places)
+
+    def _file(self, name: str) -> tuple[str, Problems]:
+        problems = Problems(f"{self.path.name}/{name}")
+        self.all_problems.append(problems)
+        try:
+            return (self.path / name).read_text(encoding="utf-8"), problems
+        except FileNotFoundError:
+            if name != NUMBERS:
+                problems.add(1, "This file is missing.")
+        except (OSError, UnicodeDecodeError) as error:
+            problems.add(1, f"This file cannot be read: {error}.")
+        return "", problems
+
+    def _twice(
+        self, where: Mapping[str, Place], places: Mapping[str, tuple[str, int]], problems: Problems
+    ) -> None:
+        for key in where.keys() & places.keys():
+            file, line = places[key]
+            problems.add(where[key].line, f"{key} stands in {file}:{line} too.")
+
+
+def _numbered_topic(topic: Topic, ledger: Ledger) -> Topic:
+    return msgspec.structs.replace(
+        topic,
+        number=ledger.numbers["topic"].get(topic.key, 0),
+        frames=tuple(_numbered_frame(frame, ledger) for frame in topic.frames),
+    )
+
+
+def _numbered_frame(frame: Frame, ledger: Ledger) -> Frame:
+    number = ledger.numbers["frame"].get(frame.key, 0)
+    return msgspec.structs.replace(frame, number=number, slot=ledger.slots.get(frame.key, -1))
+
+
+def _numbered_library(library: Library, ledger: Ledger) -> Library:
+    intents = tuple(
+        msgspec.structs.replace(intent, number=ledger.numbers["intent"].get(intent.key, 0))
+        for intent in library.intents
+    )
+    return msgspec.structs.replace(library, intents=intents)
+
+
+def write_folder(path: Path, base: KnowledgeBase, last: Mapping[str, int]) -> tuple[str, ...]:
+    """Write every file; return the names of those whose bytes changed. Stale branches go."""
+    texts = folder_texts(base, last)
+    path.mkdir(parents=True, exist_ok=True)
+    changed = []
+    for name, text in texts.items():
+        file = path / name
+        if not file.exists() or file.read_bytes() != text.encode():
+            file.write_bytes(text.encode())
+            changed.append(name)
+    for file in path.glob("*.yaml"):
+        if file.name not in texts:
+            file.unlink()
+            changed.append(file.name)
+    return tuple(changed)
+
+
+def folder_texts(base: KnowledgeBase, last: Mapping[str, int]) -> dict[str, str]:
+    """Return the text of each file by name."""
+    knowledge = base.knowledge
+    codes = tuple(culture.code for culture in knowledge.cultures)
+    classes = frozenset(topic.is_a for topic in knowledge.topics)
+    texts = {
+        CULTURES: write_cultures(knowledge.cultures),
+        POOLS: write_pools(knowledge.pools),
+        INTENTS: write_library(base.library),
+        NUMBERS: write_ledger(_numbers(base), last),
+    }
+    for branch, topics in _by_branch(knowledge).items():
+        texts[file_name(branch)] = write_topics(topics, classes, codes)
+    return texts
+
+
+def file_name(branch: str) -> str:
+    """Return the file of a branch: FoodAndDrink stands in food_and_drink.yaml."""
+    return re.sub(r"(?<!^)(?=[A-Z])", "_", branch).lower() + ".yaml"
+
+
+def _by_branch(knowledge: Knowledge) -> dict[str, list[Topic]]:
+    branch_of: dict[str, str] = {}
+    above = {topic.key: topic.is_a for topic in knowledge.topics}
+    branches: dict[str, list[Topic]] = {}
+    for topic in knowledge.topics:
+        key = topic.key
+        while above.get(key, ROOT) != ROOT:
+            key = above[key]
+        branch_of[topic.key] = key
+        branches.setdefault(key, []).append(topic)
+    return branches
+
+
+def _numbers(base: KnowledgeBase) -> dict[str, list[tuple[str, int, int]]]:
+    topics = base.knowledge.topics
+    frames = [frame for topic in topics for frame in topic.frames]
+    frames += [frame for pool in base.knowledge.pools.values() for frame in pool]
+    return {
+        "topic": [(topic.key, topic.number, -1) for topic in topics],
+        "frame": [(frame.key, frame.number, frame.slot) for frame in frames],
+        "intent": [(intent.key, intent.number, -1) for intent in base.library.intents],
+    }

@@ -1,0 +1,39 @@
+"""check_content: what the checks find in the content files, with file and line."""
+
+from argparse import ArgumentParser
+from pathlib import Path
+
+from django.core.management.base import BaseCommand, CommandError
+
+from ontology_io.check import check_base
+from ontology_io.files.folder import folder_texts, read_folder
+from ontology_io.files.nodes import ContentError
+
+
+class Command(BaseCommand):
+    help = "Check the content files; the database is not touched."
+    requires_system_checks: list[str] = []
+
+    def add_arguments(self, parser: ArgumentParser) -> None:
+        parser.add_argument("folder", nargs="?", default="content", type=Path)
+
+    def handle(self, *args: object, **options: object) -> None:
+        path = Path(str(options["folder"]))
+        try:
+            folder = read_folder(path)
+        except ContentError as error:
+            raise CommandError(str(error)) from error
+        found = check_base(folder.base)
+        errors = [finding for finding in found if finding.error]
+        for finding in found:
+            self.stdout.write(finding.with_place(folder.places))
+        for name, text in folder_texts(folder.base, folder.last).items():
+            if (path / name).read_text(encoding="utf-8") != text:
+                raise CommandError(
+                    f"{path.name}/{name} is not in the canonical form, or numbers are missing: "
+                    "run `make content` and commit what it changes."
+                )
+        topics = folder.base.knowledge.topics
+        self.stdout.write(f"{len(topics)} topics, {len(errors)} errors, {len(found)} findings.")
+        if errors:
+            raise CommandError(f"{len(errors)} errors.")

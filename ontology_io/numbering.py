@@ -1,0 +1,115 @@
+"""Give stable numbers to what has none: keys keep theirs, new ones get numbers never used."""
+
+from collections.abc import Iterable, Mapping
+from typing import Protocol, TypeVar
+
+import msgspec
+from django.db import connection, models
+
+from dialogue.models import Frame, Topic
+from ontology_io.records import KnowledgeBase
+from plans.models import Intent
+
+
+class _Keyed(Protocol):
+    @property
+    def key(self) -> str: ...
+    @property
+    def number(self) -> int: ...
+
+
+Keyed = TypeVar("Keyed", bound=_Keyed)
+MODELS: Mapping[str, type[models.Model]] = {"topic": Topic, "frame": Frame, "intent": Intent}
+
+
+def last_numbers() -> dict[str, int]:
+    """Return the highest number ever given, by kind."""
+    return {kind: _last(model) for kind, model in MODELS.items()}
+
+
+def raise_last_numbers(last: Mapping[str, int]) -> None:
+    """Make sure that numbers up to these are never given to anything new."""
+    for kind, model in MODELS.items():
+        wanted = max(_last(model), last.get(kind, 0))
+        if wanted:
+            _set_last(model, wanted)
+
+
+def numbered(base: KnowledgeBase, old: KnowledgeBase) -> KnowledgeBase:
+    """Return the knowledge base with a number for every topic, frame and intent.
+
+    A key that the old one knows keeps its number there; else the number it brings is kept where
+    it is free; else it gets the next one.
+    """
+    last = last_numbers()
+    topic_numbers = _numbers(base.knowledge.topics, old.knowledge.topics, last["topic"])
+    frame_numbers = _numbers(_frames(base), _frames(old), last["frame"])
+    intent_numbers = _numbers(base.library.intents, old.library.intents, last["intent"])
+    replace = msgspec.structs.replace
+    topics = tuple(
+        replace(
+            topic,
+            number=topic_numbers[topic.key],
+            frames=tuple(replace(one, number=frame_numbers[one.key]) for one in topic.frames),
+        )
+        for topic in base.knowledge.topics
+    )
+    pools = {
+        name: tuple(replace(one, number=frame_numbers[one.key]) for one in frames)
+        for name, frames in base.knowledge.pools.items()
+    }
+    intents = tuple(replace(one, number=intent_numbers[one.key]) for one in base.library.intents)
+    return KnowledgeBase(
+        knowledge=replace(base.knowledge, topics=topics, pools=pools),
+        library=replace(base.library, intents=intents),
+    )
+
+
+def _frames(base: KnowledgeBase) -> list["Keyed"]:
+    frames = [frame for topic in base.knowledge.topics for frame in topic.frames]
+    for pool in base.knowledge.pools.values():
+        frames += pool
+    return frames  # type: ignore[return-value]
+
+
+def _numbers(new: Iterable[Keyed], old: Iterable[Keyed], last: int) -> dict[str, int]:
+    known = {row.key: row.number for row in old}
+    taken = set(known.values())
+    rows = list(new)
+    numbers = {row.key: known[row.key] for row in rows if row.key in known}
+    for row in rows:
+        if row.key not in numbers and row.number and row.number not in taken:
+            numbers[row.key] = row.number
+            taken.add(row.number)
+    following = max([last, *taken], default=0)
+    for row in rows:
+        if row.key not in numbers:
+            following += 1
+            numbers[row.key] = following
+    return numbers
+
+
+def _last(model: type[models.Model]) -> int:
+    table = model._meta.db_table
+    with connection.cursor() as cursor:
+        if connection.vendor == "sqlite":
+            cursor.execute("SELECT seq FROM sqlite_sequence WHERE name = %s", [table])
+        else:
+            cursor.execute(
+                "SELECT last_value FROM pg_sequences WHERE sequencename = %s", [f"{table}_id_seq"]
+            )
+        row = cursor.fetchone()
+    return int(row[0] or 0) if row else 0
+
+
+def _set_last(model: type[models.Model], last: int) -> None:
+    table = model._meta.db_table
+    with connection.cursor() as cursor:
+        if connection.vendor == "sqlite":
+            cursor.execute("UPDATE sqlite_sequence SET seq = %s WHERE name = %s", [last, table])
+            if not cursor.rowcount:
+                cursor.execute(
+                    "INSERT INTO sqlite_sequence (name, seq) VALUES (%s, %s)", [table, last]
+                )
+        else:
+            cursor.execute("SELECT setval(pg_get_serial_sequence(%s, 'id'), %s)", [table, last])

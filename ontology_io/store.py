@@ -1,0 +1,232 @@
+"""Records ↔ database: read the draft, write a knowledge base in one transaction."""
+
+from collections.abc import Iterable, Mapping
+from typing import TypeVar
+
+from django.db import models as db
+from django.db import transaction
+
+from dialogue import models
+from dialogue.content import read_knowledge
+from dialogue.engine.concepts import ROOT, Frame, Knowledge, Topic
+from ontology_io.differences import Differences, changed_topics, differences
+from ontology_io.library_store import write_library
+from ontology_io.numbering import numbered, raise_last_numbers
+from ontology_io.records import KnowledgeBase
+from plans.content import read_library
+
+Row = TypeVar("Row", bound=db.Model)
+BATCH = 400
+
+
+def read_base() -> KnowledgeBase:
+    """Return the whole draft."""
+    return KnowledgeBase(knowledge=read_knowledge(), library=read_library())
+
+
+@transaction.atomic
+def write_base(base: KnowledgeBase, last: Mapping[str, int] | None = None) -> Differences:
+    """Make the draft say what the knowledge base says; return what that changed.
+
+    Only rows of topics that differ are written; numbers once given are never given again.
+    """
+    old = read_base()
+    raise_last_numbers(last or {})
+    new = numbered(base, old)
+    _write_cultures(new.knowledge)
+    _write_topics(old, new)
+    _write_pools(old.knowledge, new.knowledge)
+    write_library(old.library, new.library)
+    raise_last_numbers({})
+    return differences(old, new)
+
+
+def _create(model: type[Row], rows: Iterable[Row]) -> None:
+    model._default_manager.bulk_create(rows, batch_size=BATCH)
+
+
+def _upsert(model: type[Row], rows: list[Row], fields: list[str], key: str = "id") -> None:
+    model._default_manager.bulk_create(
+        rows, batch_size=BATCH, update_conflicts=True, unique_fields=[key], update_fields=fields
+    )
+
+
+def _write_cultures(knowledge: Knowledge) -> None:
+    rows = [
+        models.Culture(
+            code=culture.code, names=culture.names, language=culture.language, position=place
+        )
+        for place, culture in enumerate(knowledge.cultures)
+    ]
+    _upsert(models.Culture, rows, ["names", "language", "position"], key="code")
+
+
+def _write_topics(old: KnowledgeBase, new: KnowledgeBase) -> None:
+    topics = {topic.key: topic for topic in new.knowledge.topics}
+    gone = [topic.number for topic in old.knowledge.topics if topic.key not in topics]
+    changed = changed_topics(old, new)
+    numbers = [topic.number for topic in changed]
+    _delete_parts([*gone, *numbers])
+    places = {topic.key: place for place, topic in enumerate(new.knowledge.topics)}
+    cultures = dict(models.Culture.objects.values_list("code", "id"))
+    _upsert(
+        models.Topic,
+        [
+            models.Topic(
+                id=topic.number,
+                key=topic.key,
+                parent_id=topics[topic.is_a].number if topic.is_a != ROOT else None,
+                home_id=cultures[topic.of] if topic.of else None,
+                gentle=topic.gentle,
+                stop=topic.stop,
+                pattern=" | ".join(topic.pattern),
+                note=topic.note,
+                position=places[topic.key],
+            )
+            for topic in changed
+        ],
+        ["key", "parent", "home", "gentle", "stop", "pattern", "note", "position"],
+    )
+    for batch in _batches(gone):
+        models.Topic.objects.filter(pk__in=batch).delete()
+    _write_parts(changed, topics, cultures)
+    _write_frames(
+        {frame.key: (topic, frame) for topic in changed for frame in topic.frames}, cultures
+    )
+    removed = {f.number for t in old.knowledge.topics for f in t.frames} - {
+        f.number for t in new.knowledge.topics for f in t.frames
+    }
+    _delete_frames(removed)
+
+
+def _batches(numbers: Iterable[int]) -> Iterable[list[int]]:
+    ordered = sorted(numbers)
+    for start in range(0, len(ordered), BATCH):
+        yield ordered[start : start + BATCH]
+
+
+def _delete_parts(numbers: Iterable[int]) -> None:
+    for batch in _batches(numbers):
+        for model in (models.TopicName, models.Variable, models.KeywordSet, models.TopicInstance):
+            model._default_manager.filter(topic__in=batch).delete()
+        models.TopicLink.objects.filter(topic__in=batch).delete()
+        models.Topic.also.through.objects.filter(from_topic__in=batch).delete()
+
+
+def _write_parts(
+    topics: Iterable[Topic], by_key: Mapping[str, Topic], cultures: Mapping[str, int]
+) -> None:
+    topics = tuple(topics)
+    _create(models.TopicName, (row for topic in topics for row in _names(topic)))
+    _create(
+        models.Variable,
+        (
+            models.Variable(topic_id=topic.number, language=code, name=name, text=text)
+            for topic in topics
+            for code, texts in topic.variables.items()
+            for name, text in texts.items()
+        ),
+    )
+    _create(
+        models.KeywordSet,
+        (
+            models.KeywordSet(
+                topic_id=topic.number, language=code, first="|".join(first), second="|".join(second)
+            )
+            for topic in topics
+            for code, (first, second) in topic.keywords.items()
+        ),
+    )
+    _create(
+        models.TopicInstance,
+        (
+            models.TopicInstance(
+                topic_id=topic.number, culture_id=cultures[code], likeliness=f"{value:.3f}"
+            )
+            for topic in topics
+            for code, value in topic.likeliness.items()
+        ),
+    )
+    _create(
+        models.TopicLink,
+        (
+            models.TopicLink(topic_id=topic.number, target_id=by_key[key].number, position=place)
+            for topic in topics
+            for place, key in enumerate(topic.see)
+        ),
+    )
+    lends = models.Topic.also.through
+    _create(
+        lends,
+        (
+            lends(from_topic_id=topic.number, to_topic_id=by_key[key].number)
+            for topic in topics
+            for key in topic.also
+        ),
+    )
+
+
+def _names(topic: Topic) -> Iterable[models.TopicName]:
+    for code, fields in topic.names.items():
+        rest = {key: text for key, text in fields.items() if key != "name"}
+        yield models.TopicName(
+            topic_id=topic.number, language=code, name=fields.get("name", ""), fields=rest
+        )
+
+
+def _write_pools(old: Knowledge, new: Knowledge) -> None:
+    before = {frame.number for frames in old.pools.values() for frame in frames}
+    after = {frame.number for frames in new.pools.values() for frame in frames}
+    _delete_frames(before - after)
+    if old.pools != new.pools:
+        cultures = dict(models.Culture.objects.values_list("code", "id"))
+        frames = [frame for frames in new.pools.values() for frame in frames]
+        _write_frames({frame.key: (None, frame) for frame in frames}, cultures)
+
+
+def _delete_frames(numbers: Iterable[int]) -> None:
+    for batch in _batches(numbers):
+        models.Frame.objects.filter(pk__in=batch).delete()
+
+
+def _write_frames(
+    frames: Mapping[str, tuple[Topic | None, Frame]], cultures: Mapping[str, int]
+) -> None:
+    for batch in _batches(frame.number for _, frame in frames.values()):
+        models.Sentence.objects.filter(frame__in=batch).delete()
+        models.Frame.only.through.objects.filter(frame__in=batch).delete()
+    _upsert(
+        models.Frame,
+        [
+            models.Frame(
+                id=frame.number,
+                key=frame.key,
+                topic_id=topic.number if topic else None,
+                pool="" if topic else frame.type,
+                type=frame.type if topic else "",
+                scope=frame.scope,
+                do=frame.do,
+                slot=frame.slot,
+                position=place,
+            )
+            for place, (topic, frame) in enumerate(frames.values())
+        ],
+        ["key", "topic", "pool", "type", "scope", "do", "slot", "position"],
+    )
+    _create(
+        models.Sentence,
+        (
+            models.Sentence(frame_id=frame.number, language=code, text=text)
+            for _, frame in frames.values()
+            for code, text in frame.texts.items()
+        ),
+    )
+    kept = models.Frame.only.through
+    _create(
+        kept,
+        (
+            kept(frame_id=frame.number, culture_id=cultures[code])
+            for _, frame in frames.values()
+            for code in frame.only
+        ),
+    )

@@ -1,0 +1,1 @@
+"""The Plan Manager: it finds what the person asked for."""

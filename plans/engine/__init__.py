@@ -1,0 +1,1 @@
+"""The pure Plan Manager: trigger sentences, matching and plans, without Django."""

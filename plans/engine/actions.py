@@ -1,0 +1,77 @@
+"""The table of client actions: what a robot can be asked to do, with which parameters."""
+
+from dataclasses import dataclass
+from enum import Enum
+
+
+class ParameterKind(Enum):
+    """How clients read a parameter: a WORD up to its last letter or digit, TEXT to the end."""
+
+    WORD = "word"
+    TEXT = "text"
+
+
+@dataclass(frozen=True, slots=True)
+class Parameter:
+    """One parameter; `values` lists the words clients understand, empty means any."""
+
+    name: str
+    kind: ParameterKind
+    values: tuple[str, ...] = ()
+
+
+@dataclass(frozen=True, slots=True)
+class ClientAction:
+    """One action; its only free text, if any, is its last parameter."""
+
+    name: str
+    parameters: tuple[Parameter, ...]
+    meaning: str
+
+
+def _text(name: str) -> Parameter:
+    return Parameter(name, ParameterKind.TEXT)
+
+
+def _word(name: str, *values: str) -> Parameter:
+    return Parameter(name, ParameterKind.WORD, values)
+
+
+_LEVEL = ("high", "normal", "low", "louder", "lower", "quieter", "raise", "higher")
+_SPEED = ("high", "normal", "low", "faster", "slower")
+_WHERE = ("forward", "back", "left", "right")
+
+ACTIONS: tuple[ClientAction, ...] = (
+    ClientAction("volume", (_word("level", *_LEVEL),), "Set or step the volume."),
+    ClientAction("voicespeed", (_word("level", *_SPEED),), "Set or step the speaking rate."),
+    ClientAction("hello", (), "Greet the English way."),
+    ClientAction("namaste", (), "Greet the Indian way."),
+    ClientAction("konnichiwa", (), "Greet the Japanese way."),
+    ClientAction("attention", (), "Wave to get attention."),
+    ClientAction("date", (), "Say today's date."),
+    ClientAction("time", (), "Say the time."),
+    ClientAction("weather", (_text("city"),), "Say the forecast."),
+    ClientAction("translate", (_word("language"), _text("what")), "Translate words."),
+    ClientAction("dictionary", (_text("what"),), "Give a definition."),
+    ClientAction("wikisearch", (_text("what"),), "Read the start of an encyclopaedia's article."),
+    ClientAction("playsong", (_text("title"),), "Play a song."),
+    ClientAction("playkaraoke", (_text("title"),), "Karaoke on the tablet."),
+    ClientAction("playmovie", (_text("title"),), "Play a film or its trailer."),
+    ClientAction("showinstructions", (_text("what"),), "Show a how-to video."),
+    ClientAction("showexercise", (_text("what"),), "Show a workout."),
+    ClientAction("move", (_word("where", *_WHERE),), "Make one small step."),
+    ClientAction("go", (_word("where", *_WHERE),), "Go until touched or blocked."),
+    ClientAction("learnplace", (_text("where"),), "Store this place on the map."),
+    ClientAction("setposition", (_text("where"),), "Be told where it is."),
+    ClientAction("goto", (_text("where"),), "Go to a known place."),
+    ClientAction("rest", (), "Dock and charge."),
+    ClientAction("wakeup", (), "Leave the dock."),
+    ClientAction("forgetmap", (), "Empty the map."),
+    ClientAction("hug", (), "Give a hug."),
+    ClientAction("handshake", (), "Shake hands."),
+    ClientAction("privacy", (), "Turn away and cover the eyes until touched."),
+    ClientAction("followme", (), "Follow, holding the person's hand."),
+    ClientAction("registration", (), "Register a new speaker."),
+    ClientAction("alert", (), "Call a member of the staff or a carer at once."),
+)
+ACTIONS_BY_NAME = {action.name: action for action in ACTIONS}

@@ -1,0 +1,220 @@
+"""One trigger as a machine that reads words: linear time whatever the trigger and the sentence.
+
+A position automaton (Glushkov) whose sets of positions are the bits of an int. The sets met are
+kept as rows of a deterministic machine, built on first use, so a known word costs one look-up.
+"""
+
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, field
+
+OTHER = 0
+DIGITS = 1
+_FIRST_WORD = 2
+_MOST_ROWS = 1_000
+
+
+@dataclass(slots=True)
+class Draft:
+    """The positions of a trigger while it is put together."""
+
+    words: list[str] = field(default_factory=list)
+    slots: list[str] = field(default_factory=list)
+    follow: list[int] = field(default_factory=list)
+    free: int = 0
+    digits: int = 0
+
+    def add(self, word: str, slot: str) -> int:
+        """Add a position that reads `word` ("" where free or digits); return its bit."""
+        self.words.append(word)
+        self.slots.append(slot)
+        self.follow.append(0)
+        return 1 << (len(self.words) - 1)
+
+    def add_free(self, slot: str) -> "Piece":
+        """Add a position that reads one or more words of any kind."""
+        bit = self.add("", slot)
+        self.free |= bit
+        self.follow[-1] |= bit
+        return Piece(bit, bit, empty=False)
+
+    def add_digits(self, slot: str) -> "Piece":
+        """Add a position that reads a word of digits."""
+        bit = self.add("", slot)
+        self.digits |= bit
+        return Piece(bit, bit, empty=False)
+
+    def chain(self, words: tuple[str, ...], slot: str = "") -> "Piece":
+        """Add words one after another."""
+        total = EMPTY
+        for word in words:
+            bit = self.add(word, slot)
+            total = self.join(total, Piece(bit, bit, empty=False))
+        return total
+
+    def join(self, left: "Piece", right: "Piece") -> "Piece":
+        """Return the piece that reads `left`, then `right`."""
+        for position in bits(left.last):
+            self.follow[position] |= right.first
+        return Piece(
+            left.first | (right.first if left.empty else 0),
+            right.last | (left.last if right.empty else 0),
+            empty=left.empty and right.empty,
+        )
+
+
+@dataclass(frozen=True, slots=True)
+class Piece:
+    """A part of a trigger: where it can begin and end, and whether it can be left out."""
+
+    first: int
+    last: int
+    empty: bool
+
+
+EMPTY = Piece(0, 0, empty=True)
+
+
+def either(pieces: list[Piece]) -> Piece:
+    """Return the piece that reads any one of `pieces`."""
+    first = last = 0
+    for piece in pieces:
+        first |= piece.first
+        last |= piece.last
+    return Piece(first, last, empty=any(piece.empty for piece in pieces))
+
+
+def bits(mask: int) -> Iterator[int]:
+    """Yield the numbers of the bits that are set, lowest first."""
+    while mask:
+        lowest = mask & -mask
+        yield lowest.bit_length() - 1
+        mask ^= lowest
+
+
+class _Row(dict[int, "_Row"]):
+    """A set of positions; its items are the next sets by kind of word, found when needed."""
+
+    __slots__ = ("machine", "mask")
+
+    def __init__(self, machine: "Automaton", mask: int) -> None:
+        super().__init__()
+        self.machine = machine
+        self.mask = mask
+
+    def __missing__(self, kind: int) -> "_Row":
+        row = self.machine.row_after(self.mask, kind)
+        if not self.machine.full:
+            self[kind] = row
+        return row
+
+
+class Automaton:
+    """Reads the words of a sentence; what it learns about rows is its only change."""
+
+    __slots__ = (
+        "_accept",
+        "_before",
+        "_dead",
+        "_first",
+        "_follow",
+        "_kinds",
+        "_order",
+        "_reads",
+        "_rows",
+        "_start",
+        "slots",
+    )
+
+    def __init__(self, draft: Draft, whole: Piece) -> None:
+        self.slots = tuple(draft.slots)
+        self._follow = tuple(draft.follow)
+        self._first = whole.first
+        self._accept = whole.last
+        self._kinds = {
+            word: _FIRST_WORD + number
+            for number, word in enumerate(dict.fromkeys(filter(None, draft.words)))
+        }
+        self._reads = _reads(draft, self._kinds)
+        self._before = _before(draft)
+        self._order = _order(draft)
+        self._dead = _Row(self, 0)
+        self._start = _Row(self, 0)
+        self._rows: dict[int, _Row] = {0: self._dead}
+
+    @property
+    def full(self) -> bool:
+        """Say whether no more rows are kept (the time stays linear without them)."""
+        return len(self._rows) >= _MOST_ROWS
+
+    def row_after(self, mask: int, kind: int) -> _Row:
+        """Return the row reached from a set of positions by a kind of word."""
+        reached = 0 if mask else self._first
+        for position in bits(mask):
+            reached |= self._follow[position]
+        reached &= self._reads[kind]
+        row = self._rows.get(reached)
+        if row is None:
+            row = _Row(self, reached)
+            if not self.full:
+                self._rows[reached] = row
+        return row
+
+    def read(self, words: tuple[str, ...], others: tuple[int, ...]) -> list[int] | None:
+        """Return the position that reads each word, or None where the sentence does not fit.
+
+        `others` holds OTHER or DIGITS for each word: what it is if the trigger does not know it.
+        """
+        row, dead, kinds = self._start, self._dead, self._kinds
+        masks: list[int] = []
+        for word, other in zip(words, others, strict=True):
+            row = row[kinds.get(word, other)]
+            if row is dead:
+                return None
+            masks.append(row.mask)
+        if not row.mask & self._accept:
+            return None
+        return self._trace(masks)
+
+    def _trace(self, masks: list[int]) -> list[int]:
+        """Walk back from the end; a literal word is preferred to a slot, so slots stay short."""
+        path: list[int] = []
+        allowed = self._accept
+        for mask in reversed(masks):
+            position = self._pick(mask & allowed)
+            path.append(position)
+            allowed = self._before[position]
+        path.reverse()
+        return path
+
+    def _pick(self, mask: int) -> int:
+        """Return the latest position of the best kind: of equal words the one nearer to the end."""
+        best = next(mask & preferred for preferred in self._order if mask & preferred)
+        return best.bit_length() - 1
+
+
+def _reads(draft: Draft, kinds: Mapping[str, int]) -> dict[int, int]:
+    """Return which positions read each kind of word."""
+    reads = {OTHER: draft.free, DIGITS: draft.free | draft.digits}
+    for position, word in enumerate(draft.words):
+        if word:
+            kind = kinds[word]
+            usual = reads[DIGITS if word.isdecimal() else OTHER]
+            reads[kind] = reads.get(kind, usual) | 1 << position
+    return reads
+
+
+def _before(draft: Draft) -> tuple[int, ...]:
+    before = [0] * len(draft.follow)
+    for position, follow in enumerate(draft.follow):
+        for after in bits(follow):
+            before[after] |= 1 << position
+    return tuple(before)
+
+
+def _order(draft: Draft) -> tuple[int, ...]:
+    """Return the masks in order of preference: literal words, listed values, digits, free text."""
+    literal = values = 0
+    for position, (word, slot) in enumerate(zip(draft.words, draft.slots, strict=True)):
+        literal |= 0 if slot else 1 << position
+        values |= 1 << position if word and slot else 0
+    return (literal, values, draft.digits, draft.free)

@@ -1,0 +1,1 @@
+"""Ways of matching a sentence; known.py lists them."""

@@ -1,0 +1,186 @@
+"""The rows that experts edit: intents, how people say them, and what they bring about."""
+
+from django.core.validators import MaxValueValidator, RegexValidator
+from django.db import models
+
+from languages.known import LANGUAGES
+
+LANGUAGE_CHOICES = [(code, language.own_name) for code, language in LANGUAGES.items()]
+
+one_word = RegexValidator(
+    r"\A[a-z][a-z0-9_]{0,59}\Z", "Write one word of small letters, e.g. playsong."
+)
+no_control = RegexValidator(
+    r"\A[^\x00-\x08\x0b-\x1f\x7f\ud800-\udfff\ufffe\uffff]*\Z",
+    "Remove the invisible control characters (they often come with pasted text).",
+)
+
+
+class Phrase(models.Model):
+    """A piece of pattern with a name, used in triggers as `<please>`."""
+
+    key = models.CharField(
+        max_length=60, unique=True, validators=[one_word], help_text="Example: please"
+    )
+    texts = models.JSONField(
+        default=dict, help_text='The pattern in each language. Example: {"en": "please|could you"}'
+    )
+    position = models.PositiveIntegerField(default=0)
+
+    class Meta:
+        ordering = ["position", "id"]
+
+    def __str__(self) -> str:
+        return f"<{self.key}>"
+
+
+class ValueList(models.Model):
+    """Words with one meaning for a parameter: "più forte" means louder."""
+
+    key = models.CharField(
+        max_length=60, unique=True, validators=[one_word], help_text="Example: volume_level"
+    )
+    values = models.JSONField(
+        default=dict,
+        help_text='Language → value → words. Example: {"en": {"louder": ["louder", "up"]}}',
+    )
+    position = models.PositiveIntegerField(default=0)
+
+    class Meta:
+        ordering = ["position", "id"]
+
+    def __str__(self) -> str:
+        return self.key
+
+
+class Intent(models.Model):
+    """Something a person may ask for or say about the talk itself."""
+
+    key = models.CharField(
+        max_length=60, unique=True, validators=[one_word], help_text="Example: playsong"
+    )
+    priority = models.PositiveSmallIntegerField(
+        default=50,
+        validators=[MaxValueValidator(100)],
+        help_text="100 safety, 80 wishes about the talk, 50 robot actions, 40 appreciation.",
+    )
+    note = models.TextField(blank=True, max_length=2000, help_text="For colleagues.")
+    position = models.PositiveIntegerField(default=0)
+
+    class Meta:
+        ordering = ["position", "id"]
+
+    def __str__(self) -> str:
+        return self.key
+
+
+class Slot(models.Model):
+    """A parameter captured from the sentence, written `{title}` in triggers."""
+
+    intent = models.ForeignKey(Intent, models.CASCADE, related_name="slots")
+    name = models.CharField(max_length=40, validators=[one_word], help_text="Example: title")
+    kind = models.CharField(
+        max_length=80,
+        default="text",
+        help_text="text, topic, number or value:list. Example: value:volume_level",
+    )
+    required = models.BooleanField(default=False, help_text="Ask for it when it is missing.")
+    questions = models.JSONField(
+        default=dict, blank=True, help_text='How to ask. Example: {"en": "Which song?"}'
+    )
+    position = models.PositiveIntegerField(default=0)
+
+    class Meta:
+        ordering = ["position", "id"]
+        constraints = [models.UniqueConstraint("intent", "name", name="one_slot")]
+
+    def __str__(self) -> str:
+        return f"{{{self.name}}}"
+
+
+class Trigger(models.Model):
+    """A trigger sentence: one way to say it, as a pattern."""
+
+    intent = models.ForeignKey(Intent, models.CASCADE, related_name="triggers")
+    language = models.CharField(max_length=8, choices=LANGUAGE_CHOICES, help_text="Example: en")
+    text = models.CharField(
+        max_length=500,
+        validators=[no_control],
+        help_text="Example: (play|put on) [the song] {title}",
+    )
+    position = models.PositiveIntegerField(default=0)
+
+    class Meta:
+        ordering = ["position", "id"]
+
+    def __str__(self) -> str:
+        return self.text
+
+
+class PlanSentence(models.Model):
+    """What the agent says before the plan."""
+
+    intent = models.ForeignKey(Intent, models.CASCADE, related_name="plan_sentences")
+    language = models.CharField(max_length=8, choices=LANGUAGE_CHOICES, help_text="Example: en")
+    text = models.CharField(
+        max_length=400, validators=[no_control], help_text="Example: Let us listen to {title}."
+    )
+    only = models.CharField(
+        max_length=80, blank=True, help_text="Codes of cultures, empty for all. Example: IN EN"
+    )
+    position = models.PositiveIntegerField(default=0)
+
+    class Meta:
+        ordering = ["position", "id"]
+
+    def __str__(self) -> str:
+        return self.text
+
+
+class _Action(models.Model):
+    action = models.CharField(max_length=60, help_text="Example: playsong")
+    parameters = models.JSONField(
+        default=list,
+        blank=True,
+        help_text='Names and values in order. Example: [["title", "{title}"]]',
+    )
+    position = models.PositiveIntegerField(default=0)
+
+    class Meta:
+        abstract = True
+        ordering = ["position", "id"]
+
+    def __str__(self) -> str:
+        return self.action
+
+
+class PlanAction(_Action):
+    """An action for the client to execute."""
+
+    intent = models.ForeignKey(Intent, models.CASCADE, related_name="plan_actions")
+
+
+class KBPlanAction(_Action):
+    """An action on the knowledge base or on the flow of the talk."""
+
+    intent = models.ForeignKey(Intent, models.CASCADE, related_name="kbplan_actions")
+
+
+class IntentTest(models.Model):
+    """A stored test: a sentence and what must be captured from it."""
+
+    intent = models.ForeignKey(Intent, models.CASCADE, related_name="tests")
+    language = models.CharField(max_length=8, choices=LANGUAGE_CHOICES, help_text="Example: en")
+    sentence = models.CharField(max_length=500, help_text="Example: Play Hey Brother")
+    parameters = models.JSONField(
+        null=True,
+        blank=True,
+        help_text='What must be captured; empty: must not match. Example: {"title": "Hey Brother"}',
+    )
+    position = models.PositiveIntegerField(default=0)
+
+    class Meta:
+        ordering = ["position", "id"]
+
+    def __str__(self) -> str:
+        return self.sentence
