@@ -2,6 +2,8 @@
 
 import os
 import secrets
+import tempfile
+from collections.abc import Sequence
 from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
@@ -35,6 +37,14 @@ def flag(name: str, *, default: bool = False) -> bool:
     return value in {"yes", "true", "1"}
 
 
+def choice(name: str, known: Sequence[str]) -> str:
+    """Return one of the known words, the first where nothing is set."""
+    value = text(name, known[0]).upper()
+    if value not in known:
+        raise ImproperlyConfigured(f"{name} is {value!r}; give one of {', '.join(known)}.")
+    return value
+
+
 def words(name: str, default: str = "") -> list[str]:
     """Return a comma-separated list."""
     return [word.strip() for word in text(name, default).split(",") if word.strip()]
@@ -48,16 +58,26 @@ def secret(name: str, var: Path) -> str:
     path = var / name.lower()
     try:
         var.mkdir(parents=True, exist_ok=True, mode=0o700)
-        with path.open("x", encoding="ascii") as file:
-            path.chmod(0o600)
-            file.write(secrets.token_urlsafe(48))
-    except FileExistsError:
-        pass
+        if not path.exists():
+            _write_once(path, secrets.token_urlsafe(48))
     except OSError as error:
         raise ImproperlyConfigured(
             f"{name} is not set and {var} cannot be written: {error}. Set {name} or CAIR_VAR."
         ) from error
     return path.read_text(encoding="ascii")
+
+
+def _write_once(path: Path, content: str) -> None:
+    """Write a file of its owner alone; whole or not at all, and the first of several writers wins."""
+    number, name = tempfile.mkstemp(dir=path.parent)
+    try:
+        with open(number, "w", encoding="ascii") as file:
+            file.write(content)
+        os.link(name, path)
+    except FileExistsError:
+        pass
+    finally:
+        os.unlink(name)
 
 
 def database(url: str, default: Path) -> dict[str, object]:

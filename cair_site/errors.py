@@ -1,17 +1,18 @@
 """Every error a client can get, in one shape: a stable code, what happened, what to do."""
 
 import logging
+from traceback import format_tb
 from typing import Any, NamedTuple
 
 import msgspec
-from django.core.exceptions import RequestDataTooBig
+from django.core.exceptions import DisallowedHost, RequestDataTooBig
 from django.http import Http404, HttpRequest, JsonResponse
 from rest_framework.exceptions import APIException, MethodNotAllowed, NotFound
 from rest_framework.response import Response
 
 from dialogue.engine.codec import StateError
 from dialogue.publishing import NothingPublishedError
-from dialogue.turns import UnknownChoiceError
+from plans.choices import UnknownChoiceError
 
 logger = logging.getLogger(__name__)
 
@@ -60,6 +61,9 @@ ERRORS: dict[str, Kind] = {
     "service.unreachable": Kind(
         503, "The Dialogue Manager does not answer.", "Ask again in a moment with the same state."
     ),
+    "host.unknown": Kind(
+        400, "This server does not answer to that name.", "Operators: add it to CAIR_HOSTS."
+    ),
     "not_found": Kind(404, "There is nothing at this address.", "See /api/docs/."),
     "method.not_allowed": Kind(405, "This address does not know that method.", "See /api/docs/."),
     "request.refused": Kind(400, "The request was refused.", "See /api/docs/."),
@@ -89,6 +93,7 @@ _CODES: tuple[tuple[type[Exception], str], ...] = (
     (msgspec.ValidationError, "body.invalid"),
     (NothingPublishedError, "content.not_published"),
     (RequestDataTooBig, "body.too_large"),
+    (DisallowedHost, "host.unknown"),
     (MethodNotAllowed, "method.not_allowed"),
     (NotFound, "not_found"),
     (Http404, "not_found"),
@@ -115,9 +120,20 @@ def answer_error(error: Exception, context: dict[str, Any]) -> Response:
     """Turn any exception below an API view into an answer; faults of ours are logged."""
     known = named(error)
     if known is None:
-        logger.error("A turn failed: %s", type(error).__name__, exc_info=error)
+        logger.error("A turn failed: %s", where(error))
         known = ApiError("server.error")
     return Response(error_json(known), status=known.status)
+
+
+def where(error: Exception) -> str:
+    """Return where something broke; not the exception's words, which may quote a person."""
+    return f"{type(error).__name__}\n{''.join(format_tb(error.__traceback__))}"
+
+
+def bad_request(request: HttpRequest, exception: Exception) -> JsonResponse:
+    """Answer what Django itself refuses, such as a name of this server it does not know."""
+    error = named(exception) or ApiError("request.refused")
+    return JsonResponse(error_json(error), status=error.status)
 
 
 def not_found(request: HttpRequest, exception: Exception) -> JsonResponse:

@@ -15,6 +15,7 @@ from rest_framework.request import Request
 from cair_site.errors import ApiError
 
 DEFLATE, GZIP = "deflate", "gzip"
+MOST_DIGITS = 12  # of a Content-Length
 _BRACKETS = re.compile(rb'"(?:[^"\\]|\\.)*"?|[\[\]{}]', re.DOTALL)
 
 
@@ -46,7 +47,11 @@ class BodyParser(BaseParser):
 def read_bytes(request: Any, stream: Readable) -> bytes:
     """Return the raw body, refused before it is read where it is too long."""
     length = request.META.get("CONTENT_LENGTH") or "0"
-    if not length.isdecimal() or int(length) > settings.CAIR_LONGEST_BODY:
+    if (
+        not length.isdecimal()
+        or len(length) > MOST_DIGITS
+        or int(length) > settings.CAIR_LONGEST_BODY
+    ):
         raise ApiError("body.too_large")
     return stream.read(int(length))
 

@@ -2,7 +2,6 @@
 
 from django.contrib import admin
 from django.urls import include, path, re_path
-from drf_spectacular.views import SpectacularAPIView
 from rest_framework.routers import SimpleRouter
 
 from cair_site import compat, operations, pages
@@ -23,11 +22,12 @@ urlpatterns = [
     path("", pages.chat, name="chat"),
     path("admin/", admin.site.urls),
     path("api/v1/", include(router.urls)),
-    path("api/schema/", SpectacularAPIView.as_view(), name="schema"),
+    path("api/schema/", pages.schema, name="schema"),
     path("api/docs/", pages.docs, name="docs"),
     re_path(r"^(?:(?P<language>[a-z]{2})/)?CAIR_hub(?:/start)?/?$", compat.hub, name="compat"),
     path("livez", operations.livez),
     path("readyz", operations.readyz),
 ]
+handler400 = "cair_site.errors.bad_request"
 handler404 = "cair_site.errors.not_found"
 handler500 = "cair_site.errors.server_error"

@@ -5,11 +5,14 @@ import os
 from django.core.wsgi import get_wsgi_application
 
 os.environ.setdefault("DJANGO_SETTINGS_MODULE", "cair_site.settings")
-application = get_wsgi_application()
+django_application = get_wsgi_application()
 
-from django.db import connections  # noqa: E402 - settings come first
+from django.conf import settings  # noqa: E402 - settings come first
+from django.db import connections  # noqa: E402
 
+from cair_site.chunked import Chunked  # noqa: E402
 from dialogue.publishing import preload  # noqa: E402
 
+application = Chunked(django_application, settings.CAIR_LONGEST_BODY)
 preload()
 connections.close_all()

@@ -1,5 +1,7 @@
 """The Dialogue Manager over REST: what to say next, why, and what a state holds."""
 
+from typing import Annotated
+
 import msgspec
 from django.conf import settings
 from drf_spectacular.utils import extend_schema
@@ -15,6 +17,7 @@ from dialogue.engine.state import DialogueState
 from dialogue.engine.turn import Step
 from dialogue.publishing import current
 from dialogue.turns import (
+    MOST_SEED,
     TurnAnswer,
     first_turn,
     heard_with,
@@ -35,7 +38,7 @@ class TurnRequest(msgspec.Struct):
     dialogue_state: str = ""
     language: str = ""
     culture: str = ""
-    seed: int = 0
+    seed: Annotated[int, msgspec.Meta(ge=0, le=MOST_SEED)] = 0
     capabilities: list[str] | None = None
 
 
@@ -57,7 +60,18 @@ class TurnSerializer(serializers.Serializer):
     client_sentence = serializers.CharField(
         max_length=1000, allow_blank=True, help_text="I love music"
     )
-    dialogue_state = serializers.CharField(required=False, help_text="As the last answer gave it.")
+    dialogue_state = serializers.CharField(
+        required=False, help_text="As the last answer gave it; without it a talk starts."
+    )
+    language = serializers.CharField(
+        max_length=20, required=False, help_text="en: of a talk that starts with this turn."
+    )
+    culture = serializers.CharField(
+        max_length=8, required=False, help_text="EN: of a talk that starts with this turn."
+    )
+    seed = serializers.IntegerField(
+        min_value=0, max_value=MOST_SEED, required=False, help_text="The same gives the same talk."
+    )
     capabilities = serializers.ListField(
         child=serializers.CharField(max_length=60),
         required=False,

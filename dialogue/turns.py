@@ -12,19 +12,11 @@ from dialogue.engine.manager import Reply, reply, start
 from dialogue.engine.state import DialogueState
 from dialogue.engine.turn import Heard
 from languages.known import LANGUAGES
+from plans.choices import UnknownChoiceError, language_code
 from plans.engine.manager import PlanAnswer, answer
 
 URGENT = 100  # the priority of intents by which people ask for help
 MOST_SEED = 2**32 - 1
-
-
-class UnknownChoiceError(ValueError):
-    """A language or culture that is not there; says which there are."""
-
-    def __init__(self, kind: str, value: str, known: Collection[str]) -> None:
-        super().__init__(f"There is no {kind} {value[:20]!r}.")
-        self.kind = kind
-        self.hint = f"Use one of {', '.join(known)}."
 
 
 @dataclass(frozen=True, slots=True)
@@ -69,9 +61,7 @@ def chosen(content: Content, language: str, culture: str) -> tuple[str, str]:
 
     "it-IT" is Italian. Without a culture, the one whose usual language this is.
     """
-    language = (language or settings.CAIR_LANGUAGE).strip().lower().replace("_", "-").split("-")[0]
-    if language not in LANGUAGES:
-        raise UnknownChoiceError("language", language, LANGUAGES)
+    language = language_code(language or settings.CAIR_LANGUAGE)
     if not culture:
         usual = [one.code for one in content.knowledge.cultures if one.language == language]
         default = settings.CAIR_CULTURE

@@ -81,8 +81,8 @@ def articulated(preposition: str, article: str) -> str:
 
 def unarticulated(preposition: str, name: str) -> str:
     """Return the preposition before a name without article: di Roma, ad Ancona."""
-    said = without_accents(name).lstrip("h")
-    return f"{'ad' if preposition == 'a' and said.startswith('a') else preposition} {name}"
+    doubled = preposition == "a" and without_accents(name).startswith("a")
+    return f"{'ad' if doubled else preposition} {name}"
 
 
 def indefinite(onset: Onset, *, feminine: bool) -> str:

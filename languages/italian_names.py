@@ -19,21 +19,26 @@ FORMS = frozenset({"bare", "sg", "un", "dove", *_PREPOSITIONS})
 #: `il` replaces `$hasName` itself ("gli dei"), and with it the article of every other form.
 FIELDS = frozenset({"name", "g", "n", "sg", "art", "count", "un", "il", "dove", *_PREPOSITIONS})
 _FEMININE = {"m": False, "f": True}
+_ONSETS_TOLD = {"il": Onset.PLAIN, "la": Onset.PLAIN, "lo": Onset.HARD, "l'": Onset.VOWEL}
 
 
 def name_forms(fields: Mapping[str, str]) -> NameForms:
     """Return the forms of an Italian name: {name: gnocchi, g: m, n: p} gives degli, agli.
 
-    Absent: `.sg` and `.un` of a plural without `sg`; `.un` of `count: no` and of `art: none`;
+    Absent: `.sg` and `.un` of a plural without `sg`; `.un` of `count: no` and of proper names;
     `.dove` of a name with an article, where nothing tells "nel parco" from "al mare".
     """
     check_fields(fields, FIELDS)
     feminine, plural = _gender_and_number(fields)
-    forms = {"bare": fields["name"]}
     if _takes_no_article(fields):
-        forms |= _forms_without_article(fields["name"])
+        forms = _forms_without_article(fields["name"])
+        article = ""
     else:
-        forms |= _forms_with_article(fields, feminine=feminine, plural=plural)
+        article, name = _article_and_name(fields, feminine=feminine, plural=plural)
+        forms = _forms_with_article(article, name)
+    forms |= {"bare": fields["name"]} | _single_forms(
+        fields, article if "il" in fields and not plural else "", feminine=feminine, plural=plural
+    )
     given = {field: text for field, text in fields.items() if field in FORMS}
     whole = {"": fields["il"]} if "il" in fields else {}
     return NameForms(forms | given | whole, plural=plural, feminine=feminine)
@@ -51,23 +56,34 @@ def _takes_no_article(fields: Mapping[str, str]) -> bool:
 
 def _forms_without_article(name: str) -> dict[str, str]:
     forms = {preposition: unarticulated(preposition, name) for preposition in _PREPOSITIONS}
-    return forms | {"": name, "sg": name, "dove": forms["a"]}
+    return forms | {"": name, "dove": forms["a"]}
 
 
-def _forms_with_article(
-    fields: Mapping[str, str], *, feminine: bool, plural: bool
+def _forms_with_article(article: str, name: str) -> dict[str, str]:
+    melted = {
+        preposition: joined(articulated(preposition, article), name)
+        for preposition in _PREPOSITIONS
+    }
+    return melted | {"": joined(article, name)}
+
+
+def _single_forms(
+    fields: Mapping[str, str], told: str, *, feminine: bool, plural: bool
 ) -> dict[str, str]:
-    article, name = _article_and_name(fields, feminine=feminine, plural=plural)
-    forms = {"": joined(article, name)}
-    for preposition in _PREPOSITIONS:
-        forms[preposition] = joined(articulated(preposition, article), name)
+    """Return `.sg` and `.un`; `told` is the article an author wrote for a singular, or ""."""
     single = fields.get("sg", "" if plural else fields["name"])
-    if single:
-        forms["sg"] = single
-        if pick(fields, "count", COUNTED, "yes"):
-            onset = _onset(article, single, derived=plural or "il" not in fields)
-            forms["un"] = joined(indefinite(onset, feminine=feminine), single)
-    return forms
+    if not single:
+        return {}
+    if not _is_counted(fields):
+        return {"sg": single}
+    onset = _ONSETS_TOLD.get(told, onset_of(single))
+    return {"sg": single, "un": joined(indefinite(onset, feminine=feminine), single)}
+
+
+def _is_counted(fields: Mapping[str, str]) -> bool:
+    """Say whether "un" is right: not for `count: no`, nor for a proper name (un Colosseo)."""
+    proper = fields["name"][0].isupper() or _takes_no_article(fields)
+    return pick(fields, "count", COUNTED, "no" if proper and "sg" not in fields else "yes")
 
 
 def _article_and_name(
@@ -88,10 +104,3 @@ def _split_article(text: str) -> tuple[str, str]:
     if text[:2].casefold() in ("l'", "l’"):
         return "l'", text[2:]
     return "", ""
-
-
-def _onset(article: str, name: str, *, derived: bool) -> Onset:
-    if derived:
-        return onset_of(name)
-    told = {"l'": Onset.VOWEL, "lo": Onset.HARD, "il": Onset.PLAIN, "la": Onset.PLAIN}
-    return told.get(article, onset_of(name))

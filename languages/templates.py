@@ -26,7 +26,6 @@ _PIECES = re.compile(
     r"|\{(?P<switch>[^{}$]*)\}"
     r"|(?P<text>[^${}|]+)"
 )
-_OPENING = "\"'“‘«(¿¡ "
 _STARTS = re.compile(r"(?:^|(?<!\.)[.!?][\"'”’»)]*\s)[\"'“‘«(¿¡\s]*", re.MULTILINE)
 
 

@@ -11,6 +11,7 @@ from rest_framework.response import Response
 from rest_framework.viewsets import ViewSet
 
 from languages.known import LANGUAGES
+from plans.choices import language_code
 from plans.engine.actions import ACTIONS
 from plans.engine.intents import Intent
 from plans.engine.kb_actions import KB_ACTIONS
@@ -82,8 +83,8 @@ class PlanViewSet(ViewSet):
         plan = answer(
             current(),
             asked.client_sentence[: settings.CAIR_LONGEST_SENTENCE],
-            asked.language or settings.CAIR_LANGUAGE,
-            culture=asked.culture,
+            language_code(asked.language or settings.CAIR_LANGUAGE),
+            culture=asked.culture.strip().upper(),
             chance=Random(),
             capabilities=asked.capabilities,
         )

@@ -19,6 +19,7 @@ class _Inherited:
     lines: Lines
     patterns: tuple[Pattern, ...]
     variables: Mapping[str, Mapping[str, str]]
+    gentle: bool = False
 
 
 _Waiting = tuple[Topic, _Inherited, tuple[int, ...]]
@@ -76,6 +77,7 @@ class _Builder:
         lent = tuple(line for key in topic.also for line in self.own.get(key, ()))
         variables = _joined_variables(inherited.variables, topic.variables)
         patterns = parse_patterns(topic.pattern) or inherited.patterns
+        gentle = topic.gentle or inherited.gentle
         self.nodes[topic.number] = Node(
             number=topic.number,
             key=topic.key,
@@ -83,14 +85,15 @@ class _Builder:
             children=tuple(child.number for child in self._children(topic)),
             links=self._links(topic),
             ancestors=ancestors,
-            gentle=topic.gentle,
+            gentle=gentle,
             patterns=patterns,
             likeliness=topic.likeliness,
             names=_names(topic),
             variables=variables,
             lines=_joined(from_above, (*_said(lent, below=True), *_said(own, below=False))),
         )
-        return _Inherited(_joined(from_above, _said(own, below=True)), patterns, variables)
+        handed_down = _joined(from_above, _said(own, below=True))
+        return _Inherited(handed_down, patterns, variables, gentle)
 
     def _links(self, topic: Topic) -> tuple[int, ...]:
         return tuple(self.topics[key].number for key in topic.see if key in self.topics)

@@ -3,7 +3,9 @@
 from collections.abc import Iterable, Iterator, Mapping
 
 from dialogue.engine.concepts import ROOT, Frame, Knowledge, Topic
+from dialogue.engine.content import SAME_AS_PARENT
 from dialogue.engine.findings import Finding
+from dialogue.engine.keywords import ANYTHING
 from dialogue.engine.lines import parse_proposal
 from dialogue.engine.patterns import PatternError, parse_pattern
 from dialogue.engine.pools import POOLS
@@ -86,6 +88,7 @@ def _check_topic(topic: Topic, knowledge: Knowledge) -> Iterator[Finding]:
             )
     yield from _check_names(topic)
     yield from _check_patterns(topic)
+    yield from _check_keywords(topic)
     for frame in topic.frames:
         yield from _check_frame(frame, frozenset(SENTENCE_TYPES), cultures)
 
@@ -115,6 +118,18 @@ def _check_patterns(topic: Topic) -> Iterator[Finding]:
             f"It stops the types {' '.join(sorted(unknown))}, which do not exist.",
             f"Use {' '.join(SENTENCE_TYPES)}.",
         )
+
+
+def _check_keywords(topic: Topic) -> Iterator[Finding]:
+    for code in [code for code in LANGUAGES if code in topic.keywords]:
+        for word in (*topic.keywords[code][0], *topic.keywords[code][1]):
+            if word not in (ANYTHING, SAME_AS_PARENT) and not LANGUAGES[code].tokens(word):
+                yield Finding(
+                    "D027",
+                    topic.key,
+                    f"The keyword {word!r} in {code} has no letters or digits.",
+                    "Remove it.",
+                )
 
 
 def _check_frame(frame: Frame, types: frozenset[str], cultures: Iterable[str]) -> Iterator[Finding]:

@@ -7,6 +7,7 @@ from types import MappingProxyType
 from dialogue.engine.build import build_tree
 from dialogue.engine.concepts import Knowledge, Topic
 from dialogue.engine.keywords import KeywordIndex, KeywordRow, build_index
+from dialogue.engine.names import name_index
 from dialogue.engine.tree import Tree
 from languages.known import LANGUAGES
 from plans.engine.catalogue import Catalogue, compile_catalogue
@@ -25,6 +26,7 @@ class Content:
     tree: Tree
     catalogue: Catalogue
     keywords: Mapping[str, KeywordIndex]
+    names: Mapping[str, Mapping[str, tuple[int, ...]]]
 
     @property
     def cultures(self) -> tuple[str, ...]:
@@ -34,17 +36,21 @@ class Content:
 
 def build_content(knowledge: Knowledge, library: Library, number: int = 0) -> Content:
     """Return the content of a checked knowledge base and library."""
+    tree = build_tree(knowledge)
     return Content(
         number=number,
         knowledge=knowledge,
         library=library,
-        tree=build_tree(knowledge),
+        tree=tree,
         catalogue=compile_catalogue(library),
         keywords=MappingProxyType(
             {
                 code: build_index(language, keyword_rows(knowledge, code))
                 for code, language in LANGUAGES.items()
             }
+        ),
+        names=MappingProxyType(
+            {code: name_index(tree, language) for code, language in LANGUAGES.items()}
         ),
     )
 

@@ -1,10 +1,12 @@
 """Find the topic a person means: by keywords in what they say, or by the name in a wish."""
 
 from dialogue.engine.chance import draw
+from dialogue.engine.names import spelled
 from dialogue.engine.tree import Node
 from dialogue.engine.turn import Turn
 
 LONGEST_HEARD = 2000
+LONGEST_NAME = 120
 
 
 def topic_of_sentence(turn: Turn, sentence: str) -> Node | None:
@@ -13,6 +15,9 @@ def topic_of_sentence(turn: Turn, sentence: str) -> Node | None:
     The best rank wins, hard subjects before others; then a draw by likeliness; a topic of
     likeliness 0 only where nothing else matched.
     """
+    called = topic_called(turn, sentence)
+    if called:
+        return called
     index = turn.content.keywords[turn.state.language]
     matches = index.search(sentence[:LONGEST_HEARD])
     found = [(node, match) for match in matches if (node := turn.content.tree.node(match.topic))]
@@ -25,6 +30,18 @@ def topic_of_sentence(turn: Turn, sentence: str) -> Node | None:
     chosen = draw(options, turn.chance) or options[0][0]
     words = next(match.words for node, match in found if node is chosen)
     turn.note("keywords", f"{', '.join(words)} → {chosen.key}", options)
+    return chosen
+
+
+def topic_called(turn: Turn, words: str) -> Node | None:
+    """Return the topic whose name these words are, the likelier one where there are two."""
+    language = turn.language
+    numbers = turn.content.names[language.code].get(spelled(words[:LONGEST_NAME], language), ())
+    named = [node for number in numbers if (node := turn.content.tree.node(number))]
+    if not named:
+        return None
+    chosen = max(named, key=turn.likeliness)
+    turn.note("name", f"{words.strip()} → {chosen.key}")
     return chosen
 
 

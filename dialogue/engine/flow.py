@@ -88,13 +88,23 @@ def _next_letter(turn: Turn, node: Node) -> str:
 def _enter_next(turn: Turn) -> bool:
     """Go to the next topic, announced; False where there is none."""
     node = turn.node
-    step = another_branch(turn, node) if node and turn.state.noes >= 2 else next_topic(turn, node)
+    step = _next(turn, node)
+    while step is None and len(turn.state.topics) > 1:
+        # All has been talked about: the older half may come again.
+        turn.change(topics=turn.state.topics[-(len(turn.state.topics) // 2) :])
+        step = _next(turn, node)
     if step is None:
         turn.note("next", "No topic is left to propose.")
         return False
     announce(turn, node, step)
     enter(turn, step)
     return True
+
+
+def _next(turn: Turn, node: Node | None) -> Step | None:
+    if node and turn.state.noes >= 2:
+        return another_branch(turn, node)
+    return next_topic(turn, node)
 
 
 def enter(turn: Turn, step: Step) -> None:

@@ -1,14 +1,15 @@
 """Check the intents, and that every proposal offers one of them."""
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 
 import msgspec
 
-from dialogue.engine.concepts import Knowledge
+from dialogue.engine.concepts import Frame, Knowledge
 from dialogue.engine.findings import Finding
 from dialogue.engine.lines import parse_proposal
+from dialogue.engine.tree import Proposal
 from plans.engine.catalogue import LibraryError, compile_catalogue
-from plans.engine.intents import Library
+from plans.engine.intents import Intent, Library
 
 
 def check_library(knowledge: Knowledge, library: Library) -> list[Finding]:
@@ -37,21 +38,34 @@ def _check_proposals(knowledge: Knowledge, library: Library) -> Iterator[Finding
     intents = {intent.key: intent for intent in library.intents}
     for topic in knowledge.topics:
         for frame in topic.frames:
-            proposal = parse_proposal(frame.do) if frame.do else None
-            intent = intents.get(proposal.intent) if proposal else None
-            if proposal and not intent:
-                yield Finding(
-                    "D025",
-                    frame.key,
-                    f"It offers {proposal.intent!r}, but there is no such intent.",
-                    f"Use one of {', '.join(sorted(intents))}.",
-                )
-            names = {slot.name for slot in intent.slots} if intent else set()
-            for name, _ in proposal.parameters if proposal and intent else ():
-                if name not in names:
-                    yield Finding(
-                        "D026",
-                        frame.key,
-                        f"The intent {proposal.intent if proposal else ''} has no {name!r}.",
-                        f"It knows {', '.join(sorted(names)) or 'no parameters'}.",
-                    )
+            proposal = _proposal(frame)
+            if proposal:
+                yield from _check_offer(frame.key, proposal, intents)
+
+
+def _proposal(frame: Frame) -> Proposal | None:
+    try:
+        return parse_proposal(frame.do) if frame.do else None
+    except ValueError:  # D018 says so.
+        return None
+
+
+def _check_offer(key: str, proposal: Proposal, intents: Mapping[str, Intent]) -> Iterator[Finding]:
+    intent = intents.get(proposal.intent)
+    if intent is None:
+        yield Finding(
+            "D025",
+            key,
+            f"It offers {proposal.intent!r}, but there is no such intent.",
+            f"Use one of {', '.join(sorted(intents))}.",
+        )
+        return
+    names = {slot.name for slot in intent.slots}
+    for name, _ in proposal.parameters:
+        if name not in names:
+            yield Finding(
+                "D026",
+                key,
+                f"The intent {proposal.intent} has no {name!r}.",
+                f"It knows {', '.join(sorted(names)) or 'no parameters'}.",
+            )

@@ -23,7 +23,11 @@ def compile_line(frame: Frame, owner: int) -> Line:
         only=frozenset(frame.only),
         scope=frame.scope,
         templates=MappingProxyType(
-            {code: compile_template(text, code) for code, text in frame.texts.items() if text}
+            {
+                code: compile_template(text, code)
+                for code, text in frame.texts.items()
+                if text and code in LANGUAGES
+            }
         ),
         proposal=parse_proposal(frame.do) if frame.do else None,
     )

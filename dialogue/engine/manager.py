@@ -117,10 +117,10 @@ def _answer_and_keywords(turn: Turn) -> bool:
     mentioned = None if turn.plan else _mentioned(turn)
     answered = _answer(turn, node) if node and turn.state.last_type == "q" else False
     if mentioned is None:
-        if not answered and not turn.parts:
+        if not answered and not turn.parts and turn.plan is None:
             _acknowledge(turn)
         return False
-    turn.change(siblings=0, misses=0)
+    turn.change(siblings=0, noes=0, misses=0)
     if not mentioned.gentle:
         _nod(turn, mentioned, answered=answered)
     begin(turn, mentioned)

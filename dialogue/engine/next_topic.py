@@ -11,6 +11,7 @@ MOST_SIBLINGS = 3
 FOLLOW_A_LINK = 0.3
 LEAST_LIKELINESS = 0.05
 ALREADY_COVERED = 0.2
+DISLIKED = 0.2
 
 
 class Step(NamedTuple):
@@ -36,7 +37,9 @@ def next_topic(turn: Turn, node: Node | None) -> Step | None:
 
 def _ways(turn: Turn, node: Node) -> Iterable[tuple[str, Sequence[int]]]:
     tree = turn.content.tree
-    yield "child", node.children
+    shown = turn.state.likeliness(node.number)
+    if shown is None or shown > DISLIKED:  # Who dislikes tea does not want green tea next.
+        yield "child", node.children
     tired = turn.state.siblings >= MOST_SIBLINGS
     link_first = tired or turn.chance.random() < FOLLOW_A_LINK
     if link_first:
@@ -99,7 +102,10 @@ def _draw_topic(turn: Turn, numbers: Sequence[int], what: str) -> Node | None:
 
 
 def _weight(turn: Turn, node: Node) -> float:
-    """Return how willingly the agent proposes a topic now; 0 keeps it out."""
+    """Return how willingly the agent proposes a topic now; 0 keeps it out.
+
+    The square of likeliness, so that what is at home somewhere comes up there most of the time.
+    """
     state = turn.state
     if node.gentle or node.number in state.topics or state.language not in node.names:
         return 0.0
@@ -109,4 +115,4 @@ def _weight(turn: Turn, node: Node) -> float:
     if likeliness <= LEAST_LIKELINESS:
         return 0.0
     covered = node.is_leaf and state.used_slots(node.number)
-    return likeliness * (ALREADY_COVERED if covered else 1.0)
+    return likeliness**2 * (ALREADY_COVERED if covered else 1.0)

@@ -6,6 +6,7 @@ from dialogue.engine.sentence_types import PATTERN_LETTERS
 from dialogue.engine.tree import Pattern
 
 DEFAULT_PATTERN: Pattern = (("q", False), ("r", False), ("w", False), ("c", False))
+MOST_TYPES = 15  # With the type a jump asks for, 16: what a dialogue state can hold.
 
 
 class PatternError(ValueError):
@@ -24,6 +25,8 @@ def parse_pattern(text: str) -> Pattern:
                 f"use {' '.join(sorted(PATTERN_LETTERS))}, in [ ] if it may be left out."
             )
         steps.append((letter, optional))
+    if len(steps) > MOST_TYPES:
+        raise PatternError(f"A pattern has {MOST_TYPES} types at most, this one {len(steps)}.")
     if not steps:
         raise PatternError("The pattern is empty; write for example q r w c [g].")
     return tuple(steps)

@@ -12,6 +12,7 @@ from languages.templates import TemplateError
 
 # Own sentences of the topic before those of its class before those from further up.
 OWN, FROM_CLASS, FROM_ABOVE = 4.0, 3.0, 1.0
+NEVER_WHEN_GENTLE = frozenset({"q", "g"})  # "Do you like grief?"
 
 
 def say_of_type(turn: Turn, node: Node, type_: str) -> bool:
@@ -21,8 +22,7 @@ def say_of_type(turn: Turn, node: Node, type_: str) -> bool:
         turn.note("skip", f"{node.key} has nothing of type {type_}.")
         return False
     line = choose(turn, node, lines)
-    _say_about(turn, node, line, {"hasName": node.names[turn.state.language]})
-    return True
+    return _say_about(turn, node, line, {"hasName": node.names[turn.state.language]})
 
 
 def say_transition(turn: Turn, old: Node, new: Node) -> bool:
@@ -31,20 +31,29 @@ def say_transition(turn: Turn, old: Node, new: Node) -> bool:
     lines = [line for line in sayable(turn, old, "t") if line.number not in turn.state.frames]
     if not lines:
         return False
-    line = choose(turn, old, lines)
-    _say_about(turn, old, line, {"hasName": old.names[language], "toName": new.names[language]})
-    return True
+    names = {"hasName": old.names[language], "toName": new.names[language]}
+    return _say_about(turn, old, choose(turn, old, lines), names)
 
 
 def sayable(turn: Turn, node: Node, type_: str) -> list[Line]:
     """Return the topic's lines of a type for this language, culture and robot."""
     language, culture = turn.state.language, turn.state.culture
-    if language not in node.names:
+    if language not in node.names or (node.gentle and type_ in NEVER_WHEN_GENTLE):
         return []
-    lines = [line for line in node.lines.get(type_, ()) if line.fits(language, culture)]
+    lines = [
+        line
+        for line in node.lines.get(type_, ())
+        if line.fits(language, culture) and not _just_said(turn, node, line)
+    ]
     if type_ == "g":
         return [line for line in lines if _can_do(turn, line)]
     return lines
+
+
+def _just_said(turn: Turn, node: Node, line: Line) -> bool:
+    """Say whether the person heard this very sentence last: it must not come twice in a row."""
+    since_last_turn = turn.state.frames[-1 - len(turn.parts) :]
+    return line.number in since_last_turn and turn.state.has_used(node.number, line.slot)
 
 
 def choose(turn: Turn, node: Node, lines: Sequence[Line]) -> Line:
@@ -85,11 +94,13 @@ def _can_do(turn: Turn, line: Line) -> bool:
     return able is None or all(item.action in able for item in intent.plan)
 
 
-def _say_about(turn: Turn, node: Node, line: Line, names: Mapping[str, NameForms]) -> None:
+def _say_about(turn: Turn, node: Node, line: Line, names: Mapping[str, NameForms]) -> bool:
     variables = node.variables.get(turn.state.language, NO_WORDS)
-    if _speak(turn, line, names, variables):
-        turn.state = turn.state.with_used(node.number, line.slot)
-        turn.note("say", f"{line.key} ({SENTENCE_TYPES[line.type].name}) about {node.key}")
+    if not _speak(turn, line, names, variables):
+        return False
+    turn.state = turn.state.with_used(node.number, line.slot)
+    turn.note("say", f"{line.key} ({SENTENCE_TYPES[line.type].name}) about {node.key}")
+    return True
 
 
 def say_from_pool(

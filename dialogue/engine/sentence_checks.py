@@ -9,7 +9,7 @@ from dialogue.engine.pools import POOLS
 from dialogue.engine.tree import Line, Node, Tree
 from languages.known import LANGUAGES
 from languages.language import NameForms
-from languages.templates import TemplateError, compile_template
+from languages.templates import NAMES, Template, TemplateError, compile_template
 
 
 def check_sentences(knowledge: Knowledge) -> list[Finding]:
@@ -21,10 +21,10 @@ def check_sentences(knowledge: Knowledge) -> list[Finding]:
     for node in tree.nodes.values():
         for lines in node.lines.values():
             for line in lines:
-                found += _check_filled(node, line, tree)
+                found += _check_filled(node, line)
     for name, lines in tree.pools.items():
         for line in lines:
-            found += _check_pool_line(name, line)
+            found += _check_pool_line(name, line, tree)
     return found
 
 
@@ -36,14 +36,14 @@ def _all_frames(knowledge: Knowledge) -> Iterator[Frame]:
 
 
 def _check_template(frame: Frame) -> Iterator[Finding]:
-    for code, text in frame.texts.items():
+    for code in [code for code in LANGUAGES if code in frame.texts]:
         try:
-            compile_template(text, code)
+            compile_template(frame.texts[code], code)
         except TemplateError as error:
             yield Finding("D021", frame.key, f"In {code}: {error}", "Correct it at that place.")
 
 
-def _check_filled(node: Node, line: Line, tree: Tree) -> Iterator[Finding]:
+def _check_filled(node: Node, line: Line) -> Iterator[Finding]:
     for code, template in line.templates.items():
         names = {"hasName": node.names[code]}
         if line.type == "t":
@@ -69,16 +69,18 @@ def _unfilled(node: Node, line: Line, code: str, problem: str) -> Finding:
     )
 
 
-def _problem(template: object, names: Mapping[str, NameForms], variables: Mapping[str, str]) -> str:
+def _problem(
+    template: Template, names: Mapping[str, NameForms], variables: Mapping[str, str]
+) -> str:
     try:
-        template.fill(names, variables)  # type: ignore[attr-defined]
+        template.fill(names, variables)
     except TemplateError as error:
         return str(error)
     return ""
 
 
-def _check_pool_line(pool: str, line: Line) -> Iterator[Finding]:
-    allowed = POOLS[pool].variables if pool in POOLS else frozenset()
+def _check_pool_line(pool: str, line: Line, tree: Tree) -> Iterator[Finding]:
+    allowed = POOLS[pool].variables
     for code, template in line.templates.items():
         used = {variable.partition(".")[0] for variable in template.variables}
         if used - allowed:
@@ -88,6 +90,16 @@ def _check_pool_line(pool: str, line: Line) -> Iterator[Finding]:
                 f"In {code} it uses ${', $'.join(sorted(used - allowed))}.",
                 f"This pool knows {', '.join(sorted(allowed)) or 'no variables'}.",
             )
-        forms = {v.partition(".")[2] for v in template.variables} - LANGUAGES[code].form_names
-        if forms - {""}:
-            yield Finding("D024", line.key, f"In {code} no form {forms}.", "Use another form.")
+        elif any("." in variable for variable in template.variables):
+            yield from _check_forms(line, code, template, tree)
+
+
+def _check_forms(line: Line, code: str, template: Template, tree: Tree) -> Iterator[Finding]:
+    """Find the first topic that lacks a form: any topic may come where a pool is used."""
+    words = dict.fromkeys(template.variables, "")
+    for node in tree.nodes.values():
+        problem = _problem(template, dict.fromkeys(NAMES, node.names[code]), words)
+        if problem:
+            message = f"In {code} it cannot be said of {node.key}: {problem}"
+            yield Finding("D024", line.key, message, "Use a form that every topic has.")
+            return

@@ -2,7 +2,7 @@
 
 from collections.abc import Mapping
 
-from dialogue.engine.concepts import ROOT, Knowledge, Topic
+from dialogue.engine.concepts import Knowledge, Topic
 from dialogue.engine.state import MAX_SLOT
 
 
@@ -31,12 +31,12 @@ class _Slots:
 
     def _sources(self, topic: Topic) -> frozenset[str]:
         """Return every topic this one takes sentences from."""
-        sources = {key for key in topic.also if key in self.topics}
+        above: set[str] = set()
         key = topic.is_a
-        while key != ROOT and key not in sources:
-            sources.add(key)
+        while key in self.topics and key not in above:
+            above.add(key)
             key = self.topics[key].is_a
-        return frozenset(sources)
+        return frozenset(above.union(key for key in topic.also if key in self.topics))
 
     def missing(self) -> dict[int, int]:
         given: dict[int, int] = {}

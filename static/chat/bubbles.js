@@ -60,7 +60,7 @@ function fillPlan(box, actions, say) {
   const known = (Array.isArray(actions) ? actions : []).filter((item) => item && item.action);
   if (!known.length) return box.remove();
   box.querySelector(".plan-title span").textContent = say("plan_title");
-  box.querySelector("ol").append(...known.map((item) => actionItem(item, say)));
+  box.querySelector("ol").replaceChildren(...known.map((item) => actionItem(item, say)));
 }
 
 function actionItem({ action, parameters }, say) {

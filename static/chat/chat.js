@@ -207,7 +207,7 @@ function showTrouble(place, error, again) {
   const onretry = known.kind === "thread" && talk ? newThread : again;
   const kept = talk !== null && byId("sentence").value !== "";
   place.replaceChildren(bubbles.trouble(known, { say, kept, onretry }));
-  place.scrollIntoView({ block: "nearest" });
+  place.firstElementChild.scrollIntoView({ block: "nearest" });
 }
 
 function wait(waiting) {
@@ -258,7 +258,7 @@ function write(text) {
 /** Lines scroll to a stop above the box for writing, however tall it has become. */
 function watchComposer() {
   const style = document.documentElement.style;
-  const tell = () => style.setProperty("--composer-height", `${byId("composer").offsetHeight + 12}px`);
+  const tell = () => style.setProperty("--composer-height", `${byId("composer").offsetHeight + 24}px`);
   new ResizeObserver(tell).observe(byId("composer"));
 }
 
@@ -400,6 +400,7 @@ function listenToVoice() {
   addEventListener("pagehide", () => mouth.hush());
 }
 
+history.scrollRestoration = "manual"; // a reload shows the latest line
 showSize();
 listenToPage();
 listenToVoice();

@@ -61,5 +61,6 @@ function troubleOf(status, answer) {
   const error = answer?.error ?? {};
   const told = { code: String(error.code ?? status), message: error.message, hint: error.hint };
   if (told.code.startsWith("state.")) return new Trouble("thread", told);
+  if (told.code.startsWith("service.")) return new Trouble("server", told);
   return new Trouble(KINDS[status] ?? (status < 500 ? "refused" : "server"), told);
 }

@@ -4,6 +4,7 @@ from collections.abc import Mapping
 
 from dialogue.engine.find_topic import named_topic
 from dialogue.engine.flow import begin
+from dialogue.engine.sentence_types import SENTENCE_TYPES
 from dialogue.engine.turn import Turn
 from dialogue.engine.wishes import is_personal, stay_with
 
@@ -15,9 +16,11 @@ def jump(turn: Turn, parameters: Mapping[str, str | None]) -> bool:
     """
     words = parameters.get("topic") or ""
     start = parameters.get("startsentence") or ""
+    start = start if start in SENTENCE_TYPES else ""
     node = named_topic(turn, words)
     if node and not node.gentle and not is_personal(turn, words):
-        turn.change(siblings=0, noes=0)
+        # Who asks for a topic wants to be asked about it: the count of questions begins anew.
+        turn.change(siblings=0, noes=0, questions=0)
         begin(turn, node, start=start, opinion=start == "p")
         return True
     if node and node.gentle:
