@@ -1,4 +1,4 @@
-"""Bodies that come in chunks, without a length: read whole within a limit, so that views see them."""
+"""Bodies that come in chunks, without a length: read within a limit, so that views see them."""
 
 from collections.abc import Iterable
 from io import BytesIO

@@ -4,7 +4,6 @@ What never changed between their generations: an empty body asks for the initial
 body is a turn. So that decides, on one route, for GET, PUT and POST.
 """
 
-import logging
 from typing import Any
 
 import msgspec
@@ -13,19 +12,21 @@ from django.http import HttpRequest, HttpResponse
 from django.views.decorators.csrf import csrf_exempt
 
 from cair_site.compat_speech import Heard, hear, spoken
-from cair_site.errors import ApiError, error_json, named
+from cair_site.errors import ApiError, error_json, log_fault, named
 from cair_site.messages import deflated, inflated, parse_json, read_bytes
+from dialogue.engine.codec import StateError
+from dialogue.engine.content import Content
 from dialogue.engine.saying import apology
 from dialogue.engine.state import DialogueState
 from dialogue.publishing import NothingPublishedError, current
-from dialogue.turns import UnknownChoiceError, first_turn, read_state, take_turn, write_state
+from dialogue.turns import first_turn, read_state, take_turn, write_state
 from languages.known import LANGUAGES
-
-logger = logging.getLogger(__name__)
+from plans.choices import UnknownChoiceError
 
 Json = dict[str, Any]
 METHODS = ("GET", "PUT", "POST")
 STATE_VERSION = 1
+LONGEST_HISTORY = 200  # clients only append: the state must not outgrow the limit of bodies
 #: Fields that clients read or write in the state; those they change come back to them.
 NOT_OURS = {"conversation_history": [], "ongoing_conversation": True, "formal_language": True}
 
@@ -34,7 +35,9 @@ NOT_OURS = {"conversation_history": [], "ongoing_conversation": True, "formal_la
 def hub(request: HttpRequest, language: str = "") -> HttpResponse:
     """Answer a start or a turn of an existing client."""
     if request.method not in METHODS:
-        return _answer(error_json(ApiError("method.not_allowed")), status=405)
+        refused = _answer(error_json(ApiError("method.not_allowed")), status=405)
+        refused.headers["Allow"] = ", ".join(METHODS)
+        return refused
     try:
         body, encoding = inflated(read_bytes(request, request))
         message = parse_json(body)
@@ -84,6 +87,7 @@ def _state_json(state: DialogueState, old: Json) -> Json:
     return {
         **NOT_OURS,
         **old,
+        **_short_history(old),
         "v": STATE_VERSION,
         "topic": state.topic,
         "sentence_type": state.last_type,
@@ -93,17 +97,24 @@ def _state_json(state: DialogueState, old: Json) -> Json:
     }
 
 
+def _short_history(old: Json) -> Json:
+    history = old.get("conversation_history")
+    if not isinstance(history, list):
+        return {}
+    return {"conversation_history": history[-LONGEST_HISTORY:]}
+
+
 def _turn(message: Json, prefix: str) -> Json:
     """Return the answer of a turn; trouble becomes an apology and the unchanged state."""
     heard = hear(message)
     old = message.get("dialogue_state")
-    old = old if isinstance(old, dict) else {}
+    language = _language(message, prefix)
     try:
-        answer = _talk(heard, old)
-    except Exception as error:
+        answer = _talk(heard, old, language)
+    except Exception as error:  # noqa: BLE001 - whatever broke, the client gets words to say
         if named(error) is None:
-            logger.exception("A turn failed")
-        answer = _apologise(heard, old, _language(message, prefix))
+            log_fault(error)
+        answer = _apologise(heard, old, language)
     return answer | {
         name: message[name]
         for name in ("dialogue_statistics", "due_intervention")
@@ -111,15 +122,21 @@ def _turn(message: Json, prefix: str) -> Json:
     }
 
 
-def _talk(heard: Heard, old: Json) -> Json:
-    content = current()
-    text = old.get("state")
-    if not isinstance(text, str):
+def _state(content: Content, old: object, language: str) -> DialogueState:
+    """Return the state a client sent, a new one where it has none yet."""
+    if not old:
+        return first_turn(content, language, "").state
+    if not isinstance(old, dict) or not isinstance(old.get("state"), str):
         raise ApiError("state.unreadable")
-    taken = take_turn(content, read_state(text), heard.sentence)
+    return read_state(old["state"])
+
+
+def _talk(heard: Heard, old: object, language: str) -> Json:
+    content = current()
+    taken = take_turn(content, _state(content, old, language), heard.sentence)
     said = taken.reply
     return {
-        "dialogue_state": _state_json(said.state, old),
+        "dialogue_state": _state_json(said.state, old if isinstance(old, dict) else {}),
         heard.names.plan_sentence: spoken(taken.plan.plan_sentence, heard.profile),
         "plan": taken.plan.plan,
         heard.names.dialogue_sentence: heard.reply(
@@ -128,13 +145,22 @@ def _talk(heard: Heard, old: Json) -> Json:
     }
 
 
-def _apologise(heard: Heard, old: Json, language: str) -> Json:
+def _spoken_language(old: object, language: str) -> str:
+    """Return the language of the state, where it can still be read."""
+    text = old.get("state") if isinstance(old, dict) else None
     try:
-        text = apology(current(), language)
-    except (NothingPublishedError, UnknownChoiceError):
+        return read_state(text).language if isinstance(text, str) else language
+    except (StateError, UnknownChoiceError):
+        return language
+
+
+def _apologise(heard: Heard, old: object, language: str) -> Json:
+    try:
+        text = apology(current(), _spoken_language(old, language))
+    except NothingPublishedError:
         text = ""
     return {
-        "dialogue_state": old,
+        "dialogue_state": {} if old is None else old,
         heard.names.plan_sentence: "",
         "plan": "",
         heard.names.dialogue_sentence: heard.reply("c", text),

@@ -41,7 +41,8 @@ class Heard:
 
 def hear(message: dict[str, Any]) -> Heard:
     """Return what a message of any generation says; wrong types count as silence."""
-    names = FROM_SENTENCE if "client_sentence" not in message else FROM_CLIENT_SENTENCE
+    old_names = "sentence" in message and "client_sentence" not in message
+    names = FROM_SENTENCE if old_names else FROM_CLIENT_SENTENCE
     given = message.get("client_sentence", message.get("sentence"))
     text = given if isinstance(given, str) else ""
     text = text[: 2 * settings.CAIR_LONGEST_SENTENCE]

@@ -68,7 +68,7 @@ def secret(name: str, var: Path) -> str:
 
 
 def _write_once(path: Path, content: str) -> None:
-    """Write a file of its owner alone; whole or not at all, and the first of several writers wins."""
+    """Write a file of its owner alone, whole or not at all; the first of several writers wins."""
     number, name = tempfile.mkstemp(dir=path.parent)
     try:
         with open(number, "w", encoding="ascii") as file:

@@ -120,14 +120,15 @@ def answer_error(error: Exception, context: dict[str, Any]) -> Response:
     """Turn any exception below an API view into an answer; faults of ours are logged."""
     known = named(error)
     if known is None:
-        logger.error("A turn failed: %s", where(error))
+        log_fault(error)
         known = ApiError("server.error")
     return Response(error_json(known), status=known.status)
 
 
-def where(error: Exception) -> str:
-    """Return where something broke; not the exception's words, which may quote a person."""
-    return f"{type(error).__name__}\n{''.join(format_tb(error.__traceback__))}"
+def log_fault(error: Exception) -> None:
+    """Log where something of ours broke; not the exception's words, which may quote a person."""
+    places = "".join(format_tb(error.__traceback__))
+    logger.error("A turn failed: %s\n%s", type(error).__name__, places)
 
 
 def bad_request(request: HttpRequest, exception: Exception) -> JsonResponse:

@@ -1,9 +1,14 @@
 """Pages for people: the web chat and the API's documentation."""
 
-from django.http import HttpRequest, HttpResponse
-from django.shortcuts import render
-from drf_spectacular.views import SpectacularRedocView
+from collections.abc import Callable
+from functools import wraps
 
+from django.http import HttpRequest, HttpResponse, HttpResponseBase, JsonResponse
+from django.shortcuts import render
+from django.views.decorators.csrf import csrf_exempt
+from drf_spectacular.views import SpectacularAPIView, SpectacularRedocView
+
+from cair_site.errors import ApiError, error_json
 from cair_site.hub import options_json
 from dialogue.publishing import NothingPublishedError
 
@@ -23,9 +28,27 @@ DOCS_POLICY = (
     "img-src 'self' data:; worker-src 'self' blob:; font-src 'self'; object-src 'none'; "
     "frame-ancestors 'none'"
 )
+Page = Callable[[HttpRequest], HttpResponseBase]
+
+
+def only_read(page: Page) -> Page:
+    """Return the page with the API's own answer to methods that would change something."""
+
+    @csrf_exempt
+    @wraps(page)
+    def answer(request: HttpRequest) -> HttpResponseBase:
+        if request.method in {"GET", "HEAD", "OPTIONS"}:
+            return page(request)
+        return JsonResponse(error_json(ApiError("method.not_allowed")), status=405)
+
+    return answer
+
+
+schema = only_read(SpectacularAPIView.as_view())
 _redoc = SpectacularRedocView.as_view(url_name="schema")
 
 
+@only_read
 def docs(request: HttpRequest) -> HttpResponse:
     """Show the API's documentation."""
     response = _redoc(request)

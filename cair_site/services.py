@@ -2,6 +2,7 @@
 
 import logging
 from dataclasses import dataclass
+from http.client import HTTPException
 from urllib.error import URLError
 from urllib.request import Request, urlopen
 
@@ -26,6 +27,28 @@ from plans.engine.manager import PlanAnswer
 logger = logging.getLogger(__name__)
 
 PLAN_FIELDS = ("plan_sentence", "plan", "plan_actions")
+
+
+class PlanSaid(msgspec.Struct):
+    """What a turn needs of a Plan Manager's answer."""
+
+    intent: str
+    plan_sentence: str
+    plan: str
+    plan_actions: list[ActionMessage]
+    kbplan_actions: list[ActionMessage]
+
+
+class DialogueSaid(msgspec.Struct):
+    """What a turn needs of a Dialogue Manager's answer."""
+
+    dialogue_state: str
+    dialogue_sentence: str
+    plan_sentence: str
+    plan: str
+    plan_actions: list[ActionMessage]
+    topic: str
+    sentence_type: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,7 +86,7 @@ def _plan(content: Content, asked: TurnRequest, state: DialogueState, sentence: 
         "capabilities": asked.capabilities,
     }
     try:
-        return _post(url, body)
+        return _post(url, body, PlanSaid)
     except ApiError:
         logger.warning("The Plan Manager does not answer: this turn has no plan.")
         return plan_json(PlanAnswer())
@@ -81,11 +104,11 @@ def _dialogue(
     )
     url = settings.CAIR_DIALOGUE_MANAGER_URL
     if url:
-        return _post(url, msgspec.to_builtins(request))
+        return _post(url, msgspec.to_builtins(request), DialogueSaid)
     return answer_dialogue(content, request, state)
 
 
-def _post(url: str, body: Json) -> Json:
+def _post(url: str, body: Json, expected: type[PlanSaid | DialogueSaid]) -> Json:
     """Return a service's answer. Raises ApiError where it is silent or answers nonsense."""
     request = Request(  # noqa: S310 - the operator's own setting, http or https (checked)
         url, data=msgspec.json.encode(body), headers={"Content-Type": "application/json"}
@@ -93,6 +116,7 @@ def _post(url: str, body: Json) -> Json:
     try:
         with urlopen(request, timeout=settings.CAIR_SERVICE_SECONDS) as answer:  # noqa: S310
             text = answer.read(settings.CAIR_LONGEST_INFLATED)
-        return msgspec.json.decode(text, type=dict[str, object])
-    except (URLError, OSError, msgspec.MsgspecError) as error:
+        said = msgspec.json.decode(text, type=expected)
+    except (URLError, OSError, HTTPException, ValueError) as error:
         raise ApiError("service.unreachable") from error
+    return msgspec.convert(msgspec.to_builtins(said), Json)

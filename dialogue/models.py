@@ -1,30 +1,13 @@
 """The rows that experts edit: topics, what is said about them, and publications."""
 
 from django.conf import settings
-from django.core.validators import MaxValueValidator, MinValueValidator, RegexValidator
+from django.core.exceptions import ValidationError
+from django.core.validators import MaxValueValidator, MinValueValidator
 from django.db import models
 from django.db.models import Q
 
-from dialogue.engine.pools import POOLS
-from dialogue.engine.sentence_types import SENTENCE_TYPES
-from languages.known import LANGUAGES
-
-LANGUAGE_CHOICES = [(code, language.own_name) for code, language in LANGUAGES.items()]
-TYPE_CHOICES = [(row.letter, f"{row.letter}: {row.name}") for row in SENTENCE_TYPES.values()]
-POOL_CHOICES = [(pool.name, f"{pool.name}: {pool.used_when}") for pool in POOLS.values()]
-SCOPE_CHOICES = [
-    ("", "this topic and everything below it"),
-    ("self", "this topic only"),
-    ("below", "only what is below this topic"),
-]
-
-one_name = RegexValidator(
-    r"\A[A-Za-z][A-Za-z0-9]{0,99}\Z", "Write one word of letters and digits, e.g. GreenTea."
-)
-no_control = RegexValidator(
-    r"\A[^\x00-\x08\x0b-\x1f\x7f\ud800-\udfff\ufffe\uffff]*\Z",
-    "Remove the invisible control characters (they often come with pasted text).",
-)
+from dialogue import validators
+from dialogue.validators import LANGUAGE_CHOICES, no_control
 
 
 class Culture(models.Model):
@@ -33,11 +16,12 @@ class Culture(models.Model):
     code = models.CharField(
         max_length=8,
         unique=True,
-        validators=[RegexValidator(r"\A[A-Z]{2,8}\Z", "Write two to eight capitals, e.g. EN.")],
+        validators=[validators.culture_code],
         help_text="Short code in capitals. Example: EN",
     )
     names = models.JSONField(
         default=dict,
+        validators=[validators.texts_by_language],
         help_text='Its name in each language. Example: {"en": "Indian", "it": "indiana"}',
     )
     language = models.CharField(
@@ -59,7 +43,7 @@ class Topic(models.Model):
         "name in the ontology",
         max_length=100,
         unique=True,
-        validators=[one_name],
+        validators=[validators.one_name, validators.not_the_root],
         help_text="One word in CamelCase, used as the OWL class. Example: GreenTea",
     )
     parent = models.ForeignKey(
@@ -92,16 +76,20 @@ class Topic(models.Model):
         "inherits no sentences of",
         max_length=8,
         blank=True,
-        validators=[RegexValidator(r"\A[qpnwcgte]*\Z", "Use the letters of sentence types.")],
+        validators=[validators.sentence_types],
         help_text="Letters of the types not taken from more general topics. Example: qg",
     )
     pattern = models.CharField(
         max_length=200,
         blank=True,
+        validators=[validators.patterns],
         help_text="Order of the sentence types; alternatives after |. Example: q r w c [g] | c q r",
     )
     note = models.TextField(
-        blank=True, max_length=2000, help_text="For colleagues. Example: checked by the nurses"
+        blank=True,
+        max_length=2000,
+        validators=[no_control],
+        help_text="For colleagues. Example: checked by the nurses",
     )
     position = models.PositiveIntegerField(
         default=0, help_text="Place among its neighbours. Example: 3"
@@ -112,6 +100,15 @@ class Topic(models.Model):
 
     def __str__(self) -> str:
         return self.key
+
+    def clean(self) -> None:
+        above, passed = self.parent, []
+        while above and above.pk not in passed:
+            if above.pk == self.pk:
+                message = f"{self.key} would lie below itself. Choose a topic that is not below it."
+                raise ValidationError({"parent": message})
+            passed.append(above.pk)
+            above = above.parent
 
 
 class TopicName(models.Model):
@@ -132,10 +129,15 @@ class TopicName(models.Model):
     )
 
     class Meta:
-        constraints = [models.UniqueConstraint("topic", "language", name="one_name_a_language")]
+        constraints = [
+            models.UniqueConstraint(fields=["topic", "language"], name="one_name_a_language")
+        ]
 
     def __str__(self) -> str:
         return f"{self.name} ({self.language})"
+
+    def clean(self) -> None:
+        validators.check_name(self.language, self.name, self.fields)
 
 
 class Variable(models.Model):
@@ -145,13 +147,15 @@ class Variable(models.Model):
     language = models.CharField(max_length=8, choices=LANGUAGE_CHOICES, help_text="Example: en")
     name = models.CharField(
         max_length=40,
-        validators=[RegexValidator(r"\A[a-z][a-z_]*\Z", "Small letters only, e.g. unit.")],
+        validators=[validators.variable_name],
         help_text="Used in sentences after a $. Example: unit",
     )
     text = models.CharField(max_length=120, validators=[no_control], help_text="Example: a cup of")
 
     class Meta:
-        constraints = [models.UniqueConstraint("topic", "language", "name", name="one_variable")]
+        constraints = [
+            models.UniqueConstraint(fields=["topic", "language", "name"], name="one_variable")
+        ]
 
     def __str__(self) -> str:
         return f"${self.name} ({self.language})"
@@ -163,17 +167,21 @@ class KeywordSet(models.Model):
     topic = models.ForeignKey(Topic, models.CASCADE, related_name="keywords")
     language = models.CharField(max_length=8, choices=LANGUAGE_CHOICES, help_text="Example: en")
     first = models.CharField(
-        max_length=500, validators=[no_control], help_text="Words apart by |. Example: green|matcha"
+        max_length=500,
+        validators=[no_control, validators.keywords],
+        help_text="Words apart by |. Example: green|matcha",
     )
     second = models.CharField(
         max_length=500,
-        validators=[no_control],
+        validators=[no_control, validators.keywords],
         default="*",
         help_text="A word of this set must be heard too; * means any. Example: tea",
     )
 
     class Meta:
-        constraints = [models.UniqueConstraint("topic", "language", name="one_keyword_set")]
+        constraints = [
+            models.UniqueConstraint(fields=["topic", "language"], name="one_keyword_set")
+        ]
 
     def __str__(self) -> str:
         return f"{self.first} / {self.second}"
@@ -193,9 +201,11 @@ class TopicInstance(models.Model):
 
     class Meta:
         constraints = [
-            models.UniqueConstraint("topic", "culture", name="one_instance_a_culture"),
+            models.UniqueConstraint(fields=["topic", "culture"], name="one_instance_a_culture"),
             models.CheckConstraint(
-                condition=Q(likeliness__gte=0, likeliness__lte=1), name="likeliness_0_to_1"
+                condition=Q(likeliness__gte=0, likeliness__lte=1),
+                name="likeliness_0_to_1",
+                violation_error_message="The likeliness must be from 0 to 1.",
             ),
         ]
 
@@ -215,8 +225,12 @@ class TopicLink(models.Model):
     class Meta:
         ordering = ["position", "id"]
         constraints = [
-            models.UniqueConstraint("topic", "target", name="one_link"),
-            models.CheckConstraint(condition=~Q(topic=models.F("target")), name="link_elsewhere"),
+            models.UniqueConstraint(fields=["topic", "target"], name="one_link"),
+            models.CheckConstraint(
+                condition=~Q(topic=models.F("target")),
+                name="link_elsewhere",
+                violation_error_message="A topic cannot lead to itself. Choose another one.",
+            ),
         ]
 
     def __str__(self) -> str:
@@ -230,9 +244,7 @@ class Frame(models.Model):
         max_length=140,
         unique=True,
         help_text="Stable name. Example: GreenTea.q1",
-        validators=[
-            RegexValidator(r"\A\w{1,100}\.[a-z]?[0-9]{1,5}\Z", "Write it like GreenTea.q1.")
-        ],
+        validators=[validators.frame_key],
     )
     topic = models.ForeignKey(
         Topic,
@@ -243,13 +255,22 @@ class Frame(models.Model):
         help_text="Example: Tea",
     )
     pool = models.CharField(
-        max_length=40, blank=True, choices=POOL_CHOICES, help_text="For lines without a topic."
+        max_length=40,
+        blank=True,
+        choices=validators.POOL_CHOICES,
+        help_text="For lines without a topic.",
     )
     type = models.CharField(
-        max_length=1, blank=True, choices=TYPE_CHOICES, help_text="Example: q, a yes/no question"
+        max_length=1,
+        blank=True,
+        choices=validators.TYPE_CHOICES,
+        help_text="Example: q, a yes/no question",
     )
     scope = models.CharField(
-        max_length=8, blank=True, choices=SCOPE_CHOICES, help_text="Where it may be said."
+        max_length=8,
+        blank=True,
+        choices=validators.SCOPE_CHOICES,
+        help_text="Where it may be said.",
     )
     only = models.ManyToManyField(
         Culture, blank=True, help_text="Said only in these cultures; none chosen means all."
@@ -258,7 +279,7 @@ class Frame(models.Model):
         "activity",
         max_length=200,
         blank=True,
-        validators=[no_control],
+        validators=[no_control, validators.activity],
         help_text="For proposals: the plan to run. Example: playsong title=$hasName",
     )
     slot = models.SmallIntegerField(default=-1, editable=False)
@@ -270,11 +291,21 @@ class Frame(models.Model):
             models.CheckConstraint(
                 condition=Q(topic__isnull=False, pool="") | Q(topic__isnull=True) & ~Q(pool=""),
                 name="frame_of_topic_or_pool",
+                violation_error_message="Choose either a topic or a pool.",
             )
         ]
 
     def __str__(self) -> str:
         return self.key
+
+    def clean(self) -> None:
+        if self.topic and not self.type:
+            raise ValidationError({"type": "Choose what kind of sentence it is."})
+        if self.pool and self.type:
+            raise ValidationError({"type": "A line of a pool has no type; leave it empty."})
+        begin = f"{self.topic}.{self.type}" if self.topic else f"{self.pool}."
+        if self.key and not self.key.removeprefix(begin).isdecimal():
+            raise ValidationError({"key": f"It must be {begin} and a number, or left empty."})
 
 
 class Sentence(models.Model):
@@ -287,10 +318,15 @@ class Sentence(models.Model):
     )
 
     class Meta:
-        constraints = [models.UniqueConstraint("frame", "language", name="one_sentence_a_language")]
+        constraints = [
+            models.UniqueConstraint(fields=["frame", "language"], name="one_sentence_a_language")
+        ]
 
     def __str__(self) -> str:
         return self.text
+
+    def clean(self) -> None:
+        validators.check_sentence(self.language, self.text)
 
 
 class Publication(models.Model):

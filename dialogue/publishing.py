@@ -157,8 +157,17 @@ def _first() -> Content:
             _served.watcher = threading.Thread(target=_watch, name="publications", daemon=True)
             _served.watcher.start()
     if _served.content is None:
-        serve(load())
-    return _served.content or load()
+        serve(_newest())
+    return _served.content or _newest()
+
+
+def _newest() -> Content:
+    """Return the newest publication; one that cannot be read is as good as none."""
+    try:
+        return load()
+    except (DatabaseError, SnapshotError) as error:
+        logger.warning("Nothing to serve yet: %s", error)
+        raise NothingPublishedError("Nothing can be read yet: run manage.py prepare.") from error
 
 
 def _watch() -> None:
@@ -166,9 +175,9 @@ def _watch() -> None:
     while not pause.wait(settings.CAIR_POLL_SECONDS):
         try:
             refresh()
-        except (DatabaseError, SnapshotError, ValueError) as error:
+        except Exception as error:  # noqa: BLE001 - a watch that ends would see nothing ever again
             # The last good content goes on being served; the next look may succeed.
-            logger.warning("Cannot look for a newer publication: %s", error)
+            logger.warning("Cannot take over a newer publication: %r", error)
         finally:
             close_old_connections()
 

@@ -12,7 +12,8 @@ from dialogue.engine.manager import Reply, reply, start
 from dialogue.engine.state import DialogueState
 from dialogue.engine.turn import Heard
 from languages.known import LANGUAGES
-from plans.choices import UnknownChoiceError, language_code
+from plans.choices import UnknownChoiceError as UnknownChoiceError
+from plans.choices import language_code
 from plans.engine.manager import PlanAnswer, answer
 
 URGENT = 100  # the priority of intents by which people ask for help

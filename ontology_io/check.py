@@ -1,6 +1,9 @@
 """Check a whole knowledge base: what the dialogue and the plan side each find."""
 
+import msgspec
+
 from dialogue.engine.checks import check_knowledge
+from dialogue.engine.concepts import Knowledge
 from dialogue.engine.findings import Finding
 from dialogue.engine.library_checks import check_library
 from ontology_io.records import KnowledgeBase
@@ -8,4 +11,17 @@ from ontology_io.records import KnowledgeBase
 
 def check_base(base: KnowledgeBase) -> list[Finding]:
     """Return all findings; those with `error` stop loading and publishing."""
-    return [*check_knowledge(base.knowledge), *check_library(base.knowledge, base.library)]
+    knowledge = _with_numbers(base.knowledge)
+    return [*check_knowledge(knowledge), *check_library(knowledge, base.library)]
+
+
+def _with_numbers(knowledge: Knowledge) -> Knowledge:
+    """Return it with passing numbers for what gets its real one when it is written.
+
+    The tree knows its topics by number: without, only the last new one would be checked.
+    """
+    topics = tuple(
+        topic if topic.number else msgspec.structs.replace(topic, number=-place)
+        for place, topic in enumerate(knowledge.topics, 1)
+    )
+    return msgspec.structs.replace(knowledge, topics=topics)

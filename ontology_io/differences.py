@@ -1,11 +1,11 @@
 """What changes between two knowledge bases, in names and counts."""
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from dataclasses import dataclass, field
 
 import msgspec
 
-from dialogue.engine.concepts import Frame, Topic
+from dialogue.engine.concepts import Frame, Knowledge, Topic
 from ontology_io.records import KnowledgeBase
 
 
@@ -53,11 +53,15 @@ def _some(keys: tuple[str, ...], longest: int) -> str:
 
 def differences(old: KnowledgeBase, new: KnowledgeBase) -> Differences:
     """Return what must change for the old one to become the new one; numbers do not count."""
+    both = {topic.key for topic in old.knowledge.topics} & {
+        topic.key for topic in new.knowledge.topics
+    }
     return Differences(
         {
             "cultures": _compare(_cultures(old), _cultures(new)),
-            "topics": _compare(_topics(old), _topics(new)),
+            "topics": _compare(_topics(old, both), _topics(new, both)),
             "sentences": _compare(_frames(old), _frames(new)),
+            "orders of pools": _compare(_pools(old), _pools(new)),
             "intents": _compare(_intents(old), _intents(new)),
             "phrases and values": _compare(_vocabulary(old), _vocabulary(new)),
         }
@@ -76,11 +80,12 @@ def _cultures(base: KnowledgeBase) -> dict[str, object]:
     return {culture.code: (place, culture) for place, culture in enumerate(base.knowledge.cultures)}
 
 
-def _topics(base: KnowledgeBase) -> dict[str, object]:
+def _topics(base: KnowledgeBase, both: Collection[str]) -> dict[str, object]:
+    """Return the topics with their places among those that are in both knowledge bases."""
     places: dict[str, int] = {}
     topics: dict[str, object] = {}
     for topic in base.knowledge.topics:
-        place = places[topic.is_a] = places.get(topic.is_a, 0) + 1
+        place = places[topic.is_a] = places.get(topic.is_a, 0) + (topic.key in both)
         order = tuple(frame.key for frame in topic.frames)
         topics[topic.key] = (place, order, msgspec.structs.replace(topic, number=0, frames=()))
     return topics
@@ -94,6 +99,11 @@ def _frames(base: KnowledgeBase) -> dict[str, object]:
     return {frame.key: msgspec.structs.replace(frame, number=0, slot=-1) for frame in frames}
 
 
+def _pools(base: KnowledgeBase) -> dict[str, object]:
+    pools = base.knowledge.pools
+    return {name: tuple(frame.key for frame in frames) for name, frames in pools.items()}
+
+
 def _intents(base: KnowledgeBase) -> dict[str, object]:
     return {
         intent.key: (place, msgspec.structs.replace(intent, number=0))
@@ -103,21 +113,12 @@ def _intents(base: KnowledgeBase) -> dict[str, object]:
 
 def _vocabulary(base: KnowledgeBase) -> dict[str, object]:
     library = base.library
-    return {f"<{phrase.key}>": phrase for phrase in library.phrases} | {
-        value_list.key: value_list for value_list in library.values
+    return {f"<{one.key}>": (place, one) for place, one in enumerate(library.phrases)} | {
+        one.key: (place, one) for place, one in enumerate(library.values)
     }
 
 
-def changed_topics(old: KnowledgeBase, new: KnowledgeBase) -> tuple[Topic, ...]:
+def changed_topics(old: Knowledge, new: Knowledge) -> tuple[Topic, ...]:
     """Return the topics of the new one whose rows (with their sentences) must be written."""
-    before = {topic.key: topic for topic in old.knowledge.topics}
-    places_old, places_new = _places(old), _places(new)
-    return tuple(
-        topic
-        for topic in new.knowledge.topics
-        if before.get(topic.key) != topic or places_old[topic.key] != places_new[topic.key]
-    )
-
-
-def _places(base: KnowledgeBase) -> dict[str, int]:
-    return {topic.key: place for place, topic in enumerate(base.knowledge.topics)}
+    before = {topic.key: topic for topic in old.topics}
+    return tuple(topic for topic in new.topics if before.get(topic.key) != topic)

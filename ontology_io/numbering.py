@@ -6,7 +6,8 @@ from typing import Protocol, TypeVar
 import msgspec
 from django.db import connection, models
 
-from dialogue.models import Frame, Topic
+from dialogue import models as dialogue_models
+from dialogue.engine.concepts import Frame
 from ontology_io.records import KnowledgeBase
 from plans.models import Intent
 
@@ -19,7 +20,11 @@ class _Keyed(Protocol):
 
 
 Keyed = TypeVar("Keyed", bound=_Keyed)
-MODELS: Mapping[str, type[models.Model]] = {"topic": Topic, "frame": Frame, "intent": Intent}
+MODELS: Mapping[str, type[models.Model]] = {
+    "topic": dialogue_models.Topic,
+    "frame": dialogue_models.Frame,
+    "intent": Intent,
+}
 
 
 def last_numbers() -> dict[str, int]:
@@ -30,32 +35,33 @@ def last_numbers() -> dict[str, int]:
 def raise_last_numbers(last: Mapping[str, int]) -> None:
     """Make sure that numbers up to these are never given to anything new."""
     for kind, model in MODELS.items():
-        wanted = max(_last(model), last.get(kind, 0))
-        if wanted:
-            _set_last(model, wanted)
+        if last.get(kind, 0) > _last(model):
+            _set_last(model, last[kind])
 
 
 def numbered(base: KnowledgeBase, old: KnowledgeBase) -> KnowledgeBase:
     """Return the knowledge base with a number for every topic, frame and intent.
 
-    A key that the old one knows keeps its number there; else the number it brings is kept where
-    it is free; else it gets the next one.
+    A key that the old one knows keeps its number there (a frame its slot too); else the number it
+    brings is kept where nothing else here has it (so a new name in numbers.tsv is a renaming);
+    else it gets the next one.
     """
     last = last_numbers()
     topic_numbers = _numbers(base.knowledge.topics, old.knowledge.topics, last["topic"])
     frame_numbers = _numbers(_frames(base), _frames(old), last["frame"])
     intent_numbers = _numbers(base.library.intents, old.library.intents, last["intent"])
     replace = msgspec.structs.replace
+    slots = {frame.number: frame.slot for frame in _frames(old) if frame.slot >= 0}
     topics = tuple(
         replace(
             topic,
             number=topic_numbers[topic.key],
-            frames=tuple(replace(one, number=frame_numbers[one.key]) for one in topic.frames),
+            frames=_numbered_frames(topic.frames, frame_numbers, slots),
         )
         for topic in base.knowledge.topics
     )
     pools = {
-        name: tuple(replace(one, number=frame_numbers[one.key]) for one in frames)
+        name: _numbered_frames(frames, frame_numbers, slots)
         for name, frames in base.knowledge.pools.items()
     }
     intents = tuple(replace(one, number=intent_numbers[one.key]) for one in base.library.intents)
@@ -65,23 +71,44 @@ def numbered(base: KnowledgeBase, old: KnowledgeBase) -> KnowledgeBase:
     )
 
 
-def _frames(base: KnowledgeBase) -> list["Keyed"]:
+def highest_numbers(base: KnowledgeBase) -> dict[str, int]:
+    """Return the highest number of each kind."""
+    kinds: Mapping[str, Iterable[_Keyed]] = {
+        "topic": base.knowledge.topics,
+        "frame": _frames(base),
+        "intent": base.library.intents,
+    }
+    return {kind: max([row.number for row in rows], default=0) for kind, rows in kinds.items()}
+
+
+def _numbered_frames(
+    frames: tuple[Frame, ...], numbers: Mapping[str, int], slots: Mapping[int, int]
+) -> tuple[Frame, ...]:
+    return tuple(
+        msgspec.structs.replace(
+            frame, number=numbers[frame.key], slot=slots.get(numbers[frame.key], frame.slot)
+        )
+        for frame in frames
+    )
+
+
+def _frames(base: KnowledgeBase) -> list[Frame]:
     frames = [frame for topic in base.knowledge.topics for frame in topic.frames]
     for pool in base.knowledge.pools.values():
         frames += pool
-    return frames  # type: ignore[return-value]
+    return frames
 
 
 def _numbers(new: Iterable[Keyed], old: Iterable[Keyed], last: int) -> dict[str, int]:
     known = {row.key: row.number for row in old}
-    taken = set(known.values())
     rows = list(new)
     numbers = {row.key: known[row.key] for row in rows if row.key in known}
+    taken = set(numbers.values())
     for row in rows:
         if row.key not in numbers and row.number and row.number not in taken:
             numbers[row.key] = row.number
             taken.add(row.number)
-    following = max([last, *taken], default=0)
+    following = max([last, *taken, *known.values()])
     for row in rows:
         if row.key not in numbers:
             following += 1

@@ -11,7 +11,7 @@ from dialogue.content import read_knowledge
 from dialogue.engine.concepts import ROOT, Frame, Knowledge, Topic
 from ontology_io.differences import Differences, changed_topics, differences
 from ontology_io.library_store import write_library
-from ontology_io.numbering import numbered, raise_last_numbers
+from ontology_io.numbering import highest_numbers, numbered, raise_last_numbers
 from ontology_io.records import KnowledgeBase
 from plans.content import read_library
 
@@ -33,11 +33,12 @@ def write_base(base: KnowledgeBase, last: Mapping[str, int] | None = None) -> Di
     old = read_base()
     raise_last_numbers(last or {})
     new = numbered(base, old)
-    _write_cultures(new.knowledge)
-    _write_topics(old, new)
+    _write_cultures(old.knowledge, new.knowledge)
+    _write_topics(old.knowledge, new.knowledge)
     _write_pools(old.knowledge, new.knowledge)
+    _delete_cultures(new.knowledge)
     write_library(old.library, new.library)
-    raise_last_numbers({})
+    raise_last_numbers(highest_numbers(new))
     return differences(old, new)
 
 
@@ -51,52 +52,81 @@ def _upsert(model: type[Row], rows: list[Row], fields: list[str], key: str = "id
     )
 
 
-def _write_cultures(knowledge: Knowledge) -> None:
+def _write_cultures(old: Knowledge, new: Knowledge) -> None:
+    if old.cultures == new.cultures:
+        return
     rows = [
         models.Culture(
             code=culture.code, names=culture.names, language=culture.language, position=place
         )
-        for place, culture in enumerate(knowledge.cultures)
+        for place, culture in enumerate(new.cultures)
     ]
     _upsert(models.Culture, rows, ["names", "language", "position"], key="code")
 
 
-def _write_topics(old: KnowledgeBase, new: KnowledgeBase) -> None:
-    topics = {topic.key: topic for topic in new.knowledge.topics}
-    gone = [topic.number for topic in old.knowledge.topics if topic.key not in topics]
+def _delete_cultures(knowledge: Knowledge) -> None:
+    """Delete the cultures that are gone, last: no topic is at home there any more."""
+    kept = {culture.code for culture in knowledge.cultures}
+    codes = set(models.Culture.objects.values_list("code", flat=True))
+    if codes - kept:
+        models.Culture.objects.filter(code__in=codes - kept).delete()
+
+
+def _write_topics(old: Knowledge, new: Knowledge) -> None:
+    topics = {topic.key: topic for topic in new.topics}
     changed = changed_topics(old, new)
-    numbers = [topic.number for topic in changed]
-    _delete_parts([*gone, *numbers])
-    places = {topic.key: place for place, topic in enumerate(new.knowledge.topics)}
+    gone = {topic.number for topic in old.topics} - {topic.number for topic in new.topics}
+    _delete_parts([*gone, *(topic.number for topic in changed)])
     cultures = dict(models.Culture.objects.values_list("code", "id"))
     _upsert(
         models.Topic,
-        [
-            models.Topic(
-                id=topic.number,
-                key=topic.key,
-                parent_id=topics[topic.is_a].number if topic.is_a != ROOT else None,
-                home_id=cultures[topic.of] if topic.of else None,
-                gentle=topic.gentle,
-                stop=topic.stop,
-                pattern=" | ".join(topic.pattern),
-                note=topic.note,
-                position=places[topic.key],
-            )
-            for topic in changed
-        ],
-        ["key", "parent", "home", "gentle", "stop", "pattern", "note", "position"],
+        [_topic_row(topic, topics, cultures) for topic in changed],
+        ["key", "parent", "home", "gentle", "stop", "pattern", "note"],
     )
-    for batch in _batches(gone):
-        models.Topic.objects.filter(pk__in=batch).delete()
+    _write_places(new)
+    # The frames of a renamed topic are renamed before a topic that is gone takes its own along.
     _write_parts(changed, topics, cultures)
     _write_frames(
         {frame.key: (topic, frame) for topic in changed for frame in topic.frames}, cultures
     )
-    removed = {f.number for t in old.knowledge.topics for f in t.frames} - {
-        f.number for t in new.knowledge.topics for f in t.frames
-    }
-    _delete_frames(removed)
+    _delete_frames(_frame_numbers(old) - _frame_numbers(new))
+    for batch in _batches(gone):
+        models.Topic.objects.filter(pk__in=batch).update(parent=None)
+    for batch in _batches(gone):
+        models.Topic.objects.filter(pk__in=batch).delete()
+
+
+def _topic_row(
+    topic: Topic, by_key: Mapping[str, Topic], cultures: Mapping[str, int]
+) -> models.Topic:
+    return models.Topic(
+        id=topic.number,
+        key=topic.key,
+        parent_id=by_key[topic.is_a].number if topic.is_a != ROOT else None,
+        home_id=cultures[topic.of] if topic.of else None,
+        gentle=topic.gentle,
+        stop=topic.stop,
+        pattern=" | ".join(topic.pattern),
+        note=topic.note,
+    )
+
+
+def _write_places(knowledge: Knowledge) -> None:
+    """Give each topic its place; a topic that only moved is not written otherwise."""
+    before = dict(models.Topic.objects.values_list("pk", "position"))
+    models.Topic.objects.bulk_update(
+        [
+            models.Topic(pk=topic.number, position=place)
+            for place, topic in enumerate(knowledge.topics)
+            if before[topic.number] != place
+        ],
+        ["position"],
+        batch_size=BATCH,
+    )
+
+
+def _frame_numbers(knowledge: Knowledge) -> set[int]:
+    return {frame.number for topic in knowledge.topics for frame in topic.frames}
 
 
 def _batches(numbers: Iterable[int]) -> Iterable[list[int]]:

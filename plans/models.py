@@ -1,19 +1,10 @@
 """The rows that experts edit: intents, how people say them, and what they bring about."""
 
-from django.core.validators import MaxValueValidator, RegexValidator
+from django.core.validators import MaxValueValidator
 from django.db import models
 
-from languages.known import LANGUAGES
-
-LANGUAGE_CHOICES = [(code, language.own_name) for code, language in LANGUAGES.items()]
-
-one_word = RegexValidator(
-    r"\A[a-z][a-z0-9_]{0,59}\Z", "Write one word of small letters, e.g. playsong."
-)
-no_control = RegexValidator(
-    r"\A[^\x00-\x08\x0b-\x1f\x7f\ud800-\udfff\ufffe\uffff]*\Z",
-    "Remove the invisible control characters (they often come with pasted text).",
-)
+from plans import validators
+from plans.validators import LANGUAGE_CHOICES, no_control, one_word
 
 
 class Phrase(models.Model):
@@ -23,7 +14,9 @@ class Phrase(models.Model):
         max_length=60, unique=True, validators=[one_word], help_text="Example: please"
     )
     texts = models.JSONField(
-        default=dict, help_text='The pattern in each language. Example: {"en": "please|could you"}'
+        default=dict,
+        validators=[validators.texts_by_language],
+        help_text='The pattern in each language. Example: {"en": "please|could you"}',
     )
     position = models.PositiveIntegerField(default=0)
 
@@ -42,6 +35,7 @@ class ValueList(models.Model):
     )
     values = models.JSONField(
         default=dict,
+        validators=[validators.words_by_value],
         help_text='Language → value → words. Example: {"en": {"louder": ["louder", "up"]}}',
     )
     position = models.PositiveIntegerField(default=0)
@@ -64,7 +58,9 @@ class Intent(models.Model):
         validators=[MaxValueValidator(100)],
         help_text="100 safety, 80 wishes about the talk, 50 robot actions, 40 appreciation.",
     )
-    note = models.TextField(blank=True, max_length=2000, help_text="For colleagues.")
+    note = models.TextField(
+        blank=True, max_length=2000, validators=[no_control], help_text="For colleagues."
+    )
     position = models.PositiveIntegerField(default=0)
 
     class Meta:
@@ -82,17 +78,21 @@ class Slot(models.Model):
     kind = models.CharField(
         max_length=80,
         default="text",
+        validators=[validators.slot_kind],
         help_text="text, topic, number or value:list. Example: value:volume_level",
     )
     required = models.BooleanField(default=False, help_text="Ask for it when it is missing.")
     questions = models.JSONField(
-        default=dict, blank=True, help_text='How to ask. Example: {"en": "Which song?"}'
+        default=dict,
+        blank=True,
+        validators=[validators.texts_by_language],
+        help_text='How to ask. Example: {"en": "Which song?"}',
     )
     position = models.PositiveIntegerField(default=0)
 
     class Meta:
         ordering = ["position", "id"]
-        constraints = [models.UniqueConstraint("intent", "name", name="one_slot")]
+        constraints = [models.UniqueConstraint(fields=["intent", "name"], name="one_slot")]
 
     def __str__(self) -> str:
         return f"{{{self.name}}}"
@@ -105,7 +105,7 @@ class Trigger(models.Model):
     language = models.CharField(max_length=8, choices=LANGUAGE_CHOICES, help_text="Example: en")
     text = models.CharField(
         max_length=500,
-        validators=[no_control],
+        validators=[no_control, validators.trigger_pattern],
         help_text="Example: (play|put on) [the song] {title}",
     )
     position = models.PositiveIntegerField(default=0)
@@ -126,7 +126,10 @@ class PlanSentence(models.Model):
         max_length=400, validators=[no_control], help_text="Example: Let us listen to {title}."
     )
     only = models.CharField(
-        max_length=80, blank=True, help_text="Codes of cultures, empty for all. Example: IN EN"
+        max_length=80,
+        blank=True,
+        validators=[validators.culture_codes],
+        help_text="Codes of cultures, empty for all. Example: IN EN",
     )
     position = models.PositiveIntegerField(default=0)
 
@@ -138,10 +141,11 @@ class PlanSentence(models.Model):
 
 
 class _Action(models.Model):
-    action = models.CharField(max_length=60, help_text="Example: playsong")
+    action = models.CharField(max_length=60, validators=[one_word], help_text="Example: playsong")
     parameters = models.JSONField(
         default=list,
         blank=True,
+        validators=[validators.parameter_pairs],
         help_text='Names and values in order. Example: [["title", "{title}"]]',
     )
     position = models.PositiveIntegerField(default=0)
@@ -171,10 +175,15 @@ class IntentTest(models.Model):
 
     intent = models.ForeignKey(Intent, models.CASCADE, related_name="tests")
     language = models.CharField(max_length=8, choices=LANGUAGE_CHOICES, help_text="Example: en")
-    sentence = models.CharField(max_length=500, help_text="Example: Play Hey Brother")
+    sentence = models.CharField(
+        max_length=500,
+        validators=[no_control, validators.test_sentence],
+        help_text="Example: Play Hey Brother",
+    )
     parameters = models.JSONField(
         null=True,
         blank=True,
+        validators=[validators.expected_parameters],
         help_text='What must be captured; empty: must not match. Example: {"title": "Hey Brother"}',
     )
     position = models.PositiveIntegerField(default=0)

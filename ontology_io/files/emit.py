@@ -29,7 +29,7 @@ def flow_map(entries: Mapping[str, str]) -> str:
 
 def raw_map(entries: Mapping[str, str]) -> str:
     """Return `{key: value}` of values that are already written."""
-    return f"{{{', '.join(f'{key}: {value}' for key, value in entries.items())}}}"
+    return f"{{{', '.join(f'{flow_scalar(key)}: {text}' for key, text in entries.items())}}}"
 
 
 def _is_plain(text: str) -> bool:
@@ -45,4 +45,10 @@ def _is_plain(text: str) -> bool:
 
 
 def _quoted(text: str) -> str:
-    return json.dumps(text, ensure_ascii=False).replace("\x7f", "\\x7f")
+    return "".join(map(_printed, json.dumps(text, ensure_ascii=False)))
+
+
+def _printed(letter: str) -> str:
+    """Return a letter, escaped where it would not be seen or YAML would take it for a line end."""
+    seen = letter.isprintable() or letter == "\u3000"  # the wide blank of Japanese
+    return letter if seen else f"\\U{ord(letter):08x}"

@@ -6,18 +6,20 @@ from pathlib import Path
 
 import msgspec
 
-from dialogue.engine.concepts import ROOT, Frame, Knowledge, Topic
+from dialogue.engine.concepts import Frame, Knowledge, Topic
+from dialogue.engine.tree_order import branches, in_tree_order
 from ontology_io.files.intents_files import read_library, write_library
-from ontology_io.files.nodes import ContentError, Problems
+from ontology_io.files.nodes import ContentError, Problems, parse
 from ontology_io.files.numbers import Ledger, read_ledger, write_ledger
 from ontology_io.files.pools_files import read_cultures, read_pools, write_cultures, write_pools
-from ontology_io.files.topics_reader import Place, read_topics
+from ontology_io.files.topics_reader import SECTIONS, Place, read_topics
 from ontology_io.files.topics_writer import write_topics
 from ontology_io.records import KnowledgeBase
 from plans.engine.intents import Library
 
 CULTURES, POOLS, INTENTS, NUMBERS = "cultures.yaml", "pools.yaml", "intents.yaml", "numbers.tsv"
 NOT_BRANCHES = frozenset((CULTURES, POOLS, INTENTS))
+LARGEST_FILE = 2_000_000
 
 
 class Folder(msgspec.Struct, frozen=True, kw_only=True):
@@ -65,7 +67,7 @@ class _Reader:
                 places |= {key: (place.file, place.line) for key, place in where.items()}
         knowledge = Knowledge(
             cultures=cultures,
-            topics=tuple(_numbered_topic(topic, ledger) for topic in topics),
+            topics=in_tree_order(_numbered_topic(topic, ledger) for topic in topics),
             pools={
                 name: tuple(_numbered_frame(frame, ledger) for frame in frames)
                 for name, frames in pools.items()
@@ -78,20 +80,30 @@ class _Reader:
         problems = Problems(f"{self.path.name}/{name}")
         self.all_problems.append(problems)
         try:
-            return (self.path / name).read_text(encoding="utf-8"), problems
+            return _text_of(self.path / name), problems
         except FileNotFoundError:
             if name != NUMBERS:
                 problems.add(1, "This file is missing.")
-        except (OSError, UnicodeDecodeError) as error:
+        except (OSError, ValueError) as error:
             problems.add(1, f"This file cannot be read: {error}.")
         return "", problems
 
     def _twice(
         self, where: Mapping[str, Place], places: Mapping[str, tuple[str, int]], problems: Problems
     ) -> None:
-        for key in where.keys() & places.keys():
-            file, line = places[key]
-            problems.add(where[key].line, f"{key} stands in {file}:{line} too.")
+        for key, place in where.items():
+            if key in places:
+                file, line = places[key]
+                problems.add(place.line, f"{key} stands in {file}:{line} too.")
+
+
+def _text_of(path: Path) -> str:
+    """Return a file's text, all line ends alike; ValueError where it is too large or no text."""
+    with path.open("rb") as file:
+        data = file.read(LARGEST_FILE + 1)
+    if len(data) > LARGEST_FILE:
+        raise ValueError(f"it is larger than {LARGEST_FILE} bytes")
+    return data.decode("utf-8-sig").replace("\r\n", "\n").replace("\r", "\n")
 
 
 def _numbered_topic(topic: Topic, ledger: Ledger) -> Topic:
@@ -116,7 +128,10 @@ def _numbered_library(library: Library, ledger: Ledger) -> Library:
 
 
 def write_folder(path: Path, base: KnowledgeBase, last: Mapping[str, int]) -> tuple[str, ...]:
-    """Write every file; return the names of those whose bytes changed. Stale branches go."""
+    """Write every file; return the names of those whose bytes changed.
+
+    Files of branches that are no more go; a YAML file that holds no topics is left alone.
+    """
     texts = folder_texts(base, last)
     path.mkdir(parents=True, exist_ok=True)
     changed = []
@@ -126,10 +141,19 @@ def write_folder(path: Path, base: KnowledgeBase, last: Mapping[str, int]) -> tu
             file.write_bytes(text.encode())
             changed.append(name)
     for file in path.glob("*.yaml"):
-        if file.name not in texts:
+        if file.name not in texts and _holds_topics(file):
             file.unlink()
             changed.append(file.name)
     return tuple(changed)
+
+
+def _holds_topics(file: Path) -> bool:
+    problems = Problems(file.name)
+    try:
+        entries = parse(_text_of(file), problems, SECTIONS)
+    except (OSError, ValueError):
+        return False
+    return bool(entries) and not problems.found
 
 
 def folder_texts(base: KnowledgeBase, last: Mapping[str, int]) -> dict[str, str]:
@@ -143,27 +167,24 @@ def folder_texts(base: KnowledgeBase, last: Mapping[str, int]) -> dict[str, str]
         INTENTS: write_library(base.library),
         NUMBERS: write_ledger(_numbers(base), last),
     }
-    for branch, topics in _by_branch(knowledge).items():
-        texts[file_name(branch)] = write_topics(topics, classes, codes)
+    for name, topics in _by_file(knowledge).items():
+        texts[name] = write_topics(topics, classes, codes)
     return texts
 
 
 def file_name(branch: str) -> str:
     """Return the file of a branch: FoodAndDrink stands in food_and_drink.yaml."""
-    return re.sub(r"(?<!^)(?=[A-Z])", "_", branch).lower() + ".yaml"
+    stem = re.sub(r"(?<!^)(?=[A-Z])", "_", branch).lower()
+    return f"{stem}_topics.yaml" if f"{stem}.yaml" in NOT_BRANCHES else f"{stem}.yaml"
 
 
-def _by_branch(knowledge: Knowledge) -> dict[str, list[Topic]]:
-    branch_of: dict[str, str] = {}
-    above = {topic.key: topic.is_a for topic in knowledge.topics}
-    branches: dict[str, list[Topic]] = {}
+def _by_file(knowledge: Knowledge) -> dict[str, list[Topic]]:
+    """Return the topics of each file; branches such as Tea and tea share one."""
+    files: dict[str, list[Topic]] = {}
+    branch_of = branches(knowledge.topics)
     for topic in knowledge.topics:
-        key = topic.key
-        while above.get(key, ROOT) != ROOT:
-            key = above[key]
-        branch_of[topic.key] = key
-        branches.setdefault(key, []).append(topic)
-    return branches
+        files.setdefault(file_name(branch_of[topic.key]), []).append(topic)
+    return files
 
 
 def _numbers(base: KnowledgeBase) -> dict[str, list[tuple[str, int, int]]]:

@@ -17,6 +17,7 @@ from plans.engine.intents import (
 )
 from plans.engine.plan_text import PlanTextError, parse_plan, print_plan
 
+SECTIONS = ("phrases", "values", "intents")
 CODES = frozenset(LANGUAGES)
 NAMED_KEYS = frozenset(("id",)) | CODES
 INTENT_KEYS = frozenset(("id", "priority", "slots", "ask", "plan", "kbplan", "note")) | CODES
@@ -28,7 +29,7 @@ ARROW, BETWEEN, MUST_NOT = " -> ", " | ", "no"
 
 def read_library(text: str, problems: Problems) -> Library:
     """Return the intents of intents.yaml."""
-    entries = parse(text, problems)
+    entries = parse(text, problems, SECTIONS)
     return Library(
         phrases=tuple(_phrase(value) for value in each(entries, "phrases")),
         values=tuple(_value_list(value) for value in each(entries, "values")),

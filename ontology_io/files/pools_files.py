@@ -16,7 +16,7 @@ LINE_KEYS = frozenset(("only",)) | frozenset(LANGUAGES)
 def read_cultures(text: str, problems: Problems) -> tuple[Culture, ...]:
     """Return the cultures of cultures.yaml."""
     cultures = []
-    for value in each(parse(text, problems), "cultures"):
+    for value in each(parse(text, problems, ("cultures",)), "cultures"):
         entries = value.known_entries(CULTURE_KEYS)
         if entries.keys() != CULTURE_KEYS:
             problems.add(value.line, "A culture needs code, language and names.")
@@ -50,7 +50,7 @@ def write_cultures(cultures: Iterable[Culture]) -> str:
 def read_pools(text: str, problems: Problems) -> dict[str, tuple[Frame, ...]]:
     """Return the pools of pools.yaml."""
     pools: dict[str, tuple[Frame, ...]] = {}
-    for value in each(parse(text, problems), "pools"):
+    for value in each(parse(text, problems, ("pools",)), "pools"):
         entries = value.known_entries(POOL_KEYS)
         name = entries["id"].text() if "id" in entries else ""
         if name not in POOLS:

@@ -8,7 +8,7 @@ import msgspec
 
 from dialogue.engine.concepts import Frame, Topic, usual_likeliness
 from languages.known import LANGUAGES
-from ontology_io.files.nodes import Problems, Value, each, parse
+from ontology_io.files.nodes import LONGEST_TEXT, Problems, Value, each, parse
 
 TOPIC_KEYS = frozenset(
     [
@@ -29,10 +29,13 @@ TOPIC_KEYS = frozenset(
 ) | frozenset(LANGUAGES)
 LINE_KEYS = frozenset(("at", "id", "only", "scope", "do")) | frozenset(LANGUAGES)
 FRAME_KEYS = LINE_KEYS - {"at", "id"}
+SECTIONS = ("classes", "leaves", "lines")
 SCOPES = ("", "self", "below")
+LONGEST_SENTENCE, LONGEST_ACTIVITY, LONGEST_VARIABLE, LONGEST_WORDS = 400, 200, 120, 500
 
 _TOPIC_ID = re.compile(r"[A-Za-z][A-Za-z0-9]{0,99}")
 _FRAME_ID = re.compile(r"[a-z][0-9]{1,4}")
+_VARIABLE = re.compile(r"[a-z][a-z_]{0,39}")
 _LIKE = re.compile(r"([A-Z]{2,8})\s+(0?\.\d{1,3}|[01](?:\.0{1,3})?)")
 
 
@@ -48,10 +51,10 @@ def read_topics(
     text: str, problems: Problems, cultures: tuple[str, ...]
 ) -> tuple[tuple[Topic, ...], dict[str, Place]]:
     """Return the topics of a branch file in order, with the place of each topic and frame."""
-    entries = parse(text, problems)
+    entries = parse(text, problems, SECTIONS)
     places: dict[str, Place] = {}
     topics: dict[str, Topic] = {}
-    for section in ("classes", "leaves"):
+    for section in SECTIONS[:2]:
         for value in each(entries, section):
             topic = _topic(value, problems, cultures, places)
             if topic.key in topics:
@@ -60,8 +63,6 @@ def read_topics(
             topics[topic.key] = topic
     for value in each(entries, "lines"):
         _add_line(value, problems, topics, places)
-    for key in entries.keys() - {"classes", "leaves", "lines"}:
-        problems.add(entries[key].line, f"{key!r} is no section; use classes, leaves, lines.")
     return tuple(topics.values()), places
 
 
@@ -78,11 +79,11 @@ def _topic(
         is_a=_text(entries, "is_a"),
         also=_list(entries, "also"),
         of=of,
-        gentle=_text(entries, "gentle") == "yes",
+        gentle=_is_gentle(entries),
         stop="".join(_list(entries, "stop")),
-        pattern=_patterns(_text(entries, "pattern")),
+        pattern=_patterns(_text(entries, "pattern", LONGEST_ACTIVITY)),
         variables=_variables(entries, problems),
-        names={code: entries[code].text_entries() for code in LANGUAGES if code in entries},
+        names={c: entries[c].text_entries() for c in LANGUAGES if c in entries},
         keywords=_keywords(entries, problems),
         likeliness=usual_likeliness(of, cultures) | _likeliness(entries, problems, cultures),
         see=_list(entries, "see"),
@@ -91,12 +92,19 @@ def _topic(
     )
 
 
-def _text(entries: Mapping[str, Value], key: str) -> str:
-    return entries[key].text() if key in entries else ""
+def _text(entries: Mapping[str, Value], key: str, longest: int = LONGEST_TEXT) -> str:
+    return entries[key].text(longest) if key in entries else ""
 
 
 def _list(entries: Mapping[str, Value], key: str) -> tuple[str, ...]:
     return entries[key].texts() if key in entries else ()
+
+
+def _is_gentle(entries: Mapping[str, Value]) -> bool:
+    text = _text(entries, "gentle")
+    if text not in ("", "yes", "no"):
+        entries["gentle"].problems.add(entries["gentle"].line, f"{text!r} must be yes or no.")
+    return text == "yes"
 
 
 def _patterns(text: str) -> tuple[str, ...]:
@@ -107,10 +115,10 @@ def _variables(entries: Mapping[str, Value], problems: Problems) -> dict[str, di
     variables: dict[str, dict[str, str]] = {}
     for name, value in entries["vars"].entries().items() if "vars" in entries else ():
         language, dot, variable = name.partition(".")
-        if not dot or language not in LANGUAGES:
+        if not dot or language not in LANGUAGES or not _VARIABLE.fullmatch(variable):
             problems.add(value.line, f"{name!r} must be a language and a name, e.g. en.unit.")
         else:
-            variables.setdefault(language, {})[variable] = value.text()
+            variables.setdefault(language, {})[variable] = value.text(LONGEST_VARIABLE)
     return {code: variables[code] for code in LANGUAGES if code in variables}
 
 
@@ -121,9 +129,10 @@ def _keywords(
         return {}
     keywords = {}
     for language, value in entries["kw"].known_entries(frozenset(LANGUAGES)).items():
-        first, slash, second = value.text().partition(" / ")
-        if not slash:
-            problems.add(value.line, f"{value.text()!r} needs two sets, e.g. green / tea|chai.")
+        text = value.text(2 * LONGEST_WORDS)
+        first, slash, second = text.partition(" / ")
+        if not slash or " / " in second:
+            problems.add(value.line, f"{text!r} needs two sets, e.g. green / tea|chai.")
         keywords[language] = (_alternatives(first), _alternatives(second))
     return {code: keywords[code] for code in LANGUAGES if code in keywords}
 
@@ -137,10 +146,13 @@ def _likeliness(
 ) -> dict[str, float]:
     text = _text(entries, "like")
     pairs = _LIKE.findall(text)
-    if _LIKE.sub("", text).strip() or any(code not in cultures for code, _ in pairs):
+    codes = [code for code, _ in pairs]
+    # Where cultures.yaml cannot be read, that one problem is enough.
+    unknown = {*codes} - {*cultures} if cultures else ()
+    if _LIKE.sub("", text).strip() or unknown or len({*codes}) < len(codes):
         problems.add(
             entries["like"].line,
-            f"{text!r} must be cultures with values 0 to 1, e.g. IT .9 JP .3 "
+            f"{text!r} must be cultures, each once, with values 0 to 1, e.g. IT .9 JP .3 "
             f"(cultures: {' '.join(cultures)}).",
         )
         return {}
@@ -167,10 +179,10 @@ def _frame(key: str, local: str, value: Value, entries: Mapping[str, Value]) -> 
     return Frame(
         key=key,
         type=local[:1],
-        texts={code: entries[code].text() for code in LANGUAGES if code in entries},
+        texts={c: entries[c].text(LONGEST_SENTENCE) for c in LANGUAGES if c in entries},
         only=_list(entries, "only"),
         scope=scope,
-        do=_text(entries, "do"),
+        do=_text(entries, "do", LONGEST_ACTIVITY),
     )
 
 

@@ -192,7 +192,7 @@ const ja = {
   larger: "文字を大きく",
   size_now: "文字の大きさ：{all}段階の{now}",
 
-  welcome_title: "ようこそ。どうぞおかけください。",
+  welcome_title: "どうぞ、おかけください。",
   welcome_text: "私はロボットです。ご一緒にお話しできればうれしいです。どのようにお話ししましょうか。",
   language_legend: "お話しする言葉",
   culture_legend: "なじみのある文化",

@@ -1,0 +1,117 @@
+"""What the rows may hold, told in words for experts: the same rules as in the files of content/."""
+
+import re
+from collections.abc import Iterator, Mapping
+
+from django.core.exceptions import ValidationError
+from django.core.validators import RegexValidator
+
+from languages.known import LANGUAGES
+from plans.engine.intents import ActionItem
+from plans.engine.patterns import PatternError, parse_pattern
+from plans.engine.plan_text import PlanTextError, parse_plan, print_plan
+
+LANGUAGE_CHOICES = [(code, language.own_name) for code, language in LANGUAGES.items()]
+LONGEST_TEXT = 2000
+
+one_word = RegexValidator(
+    r"\A[a-z][a-z0-9_]{0,59}\Z", "Write one word of small letters, e.g. playsong."
+)
+no_control = RegexValidator(
+    r"\A[^\x00-\x08\x0b-\x1f\x7f\ud800-\udfff\ufffe\uffff]*\Z",
+    "Remove the invisible control characters (they often come with pasted text).",
+)
+slot_kind = RegexValidator(
+    r"\A(text|topic|number|value:[a-z][a-z0-9_]*)\Z",
+    "Write text, topic, number or value: and a list, e.g. value:volume_level.",
+)
+culture_codes = RegexValidator(
+    r"\A([A-Z]{2,8}( [A-Z]{2,8})*)?\Z", "Write codes of cultures apart by blanks, e.g. IN EN."
+)
+
+_PARAMETER = re.compile(r"[a-z][a-z0-9_]*")
+_KEPT_FOR_FILES = ("->", "|", "\n")
+
+
+def texts_by_language(value: object) -> None:
+    """Refuse all but a text for each of some languages: {"en": "Which song?"}."""
+    for code, text in _languages(value, 'Write {"en": "…"}: a text for each language.'):
+        _text(text, f"The text of {code!r}")
+
+
+def words_by_value(value: object) -> None:
+    """Refuse all but language → value → words: {"en": {"louder": ["louder", "up"]}}."""
+    shape = 'Write {"en": {"louder": ["louder", "up"]}}: the words of each value.'
+    for code, lists in _languages(value, shape):
+        if not isinstance(lists, dict):
+            raise ValidationError(f"{code}: {shape}")
+        for name, words in lists.items():
+            _text(name, f"A value in {code!r}")
+            if not isinstance(words, list):
+                raise ValidationError(f"{code}, {name!r}: write a list of words in [ ].")
+            for word in words:
+                _text(word, f"A word of {name!r} in {code!r}")
+                if "|" in word:
+                    raise ValidationError(f"{word!r}: write words one by one, without |.")
+
+
+def parameter_pairs(value: object) -> None:
+    """Refuse all but names with values in order: [["title", "{title}"]]."""
+    shape = 'Write [["title", "{title}"]]: names and values in order.'
+    pairs = value if isinstance(value, list) else [None]
+    if not all(isinstance(pair, list) and [*map(type, pair)] == [str, str] for pair in pairs):
+        raise ValidationError(shape)
+    item = ActionItem(action="plan", parameters=tuple((name, text) for name, text in pairs))
+    try:
+        same = parse_plan(print_plan((item,))) == (item,)
+    except PlanTextError as error:
+        raise ValidationError(str(error)) from error
+    if not same:
+        raise ValidationError("A value cannot hold # or name=, nor begin or end with a blank.")
+
+
+def expected_parameters(value: object) -> None:
+    """Refuse all but names with what must be captured: {"title": "Hey Brother"}."""
+    if not isinstance(value, dict):
+        raise ValidationError('Write {"title": "Hey Brother"}, or leave it empty.')
+    for name, text in value.items():
+        if not _PARAMETER.fullmatch(name):
+            raise ValidationError(f"{name!r}: write a name of small letters, e.g. title.")
+        _text(text, f"The value of {name!r}")
+        test_sentence(text)
+
+
+def test_sentence(text: str) -> None:
+    """Refuse what the files of content/ use to part a sentence from what is expected."""
+    found = [mark for mark in _KEPT_FOR_FILES if mark in text]
+    if found:
+        raise ValidationError(f"A test cannot hold {found[0]!r}.")
+
+
+def trigger_pattern(text: str) -> None:
+    """Refuse a pattern that cannot be read, with the place."""
+    try:
+        parse_pattern(text)
+    except PatternError as error:
+        raise ValidationError(str(error)) from error
+
+
+def _languages(value: object, shape: str) -> Iterator[tuple[str, object]]:
+    if not isinstance(value, dict):
+        raise ValidationError(shape)
+    _known(value)
+    yield from value.items()
+
+
+def _known(value: Mapping[str, object]) -> None:
+    for code in value:
+        if code not in LANGUAGES:
+            raise ValidationError(f"{code!r} is no language; use {', '.join(LANGUAGES)}.")
+
+
+def _text(text: object, what: str) -> None:
+    if not isinstance(text, str) or not text.strip() or text != text.strip():
+        raise ValidationError(f"{what} must be a text without outer blanks, in quotes.")
+    if len(text) > LONGEST_TEXT:
+        raise ValidationError(f"{what} has {len(text)} characters; {LONGEST_TEXT} at most.")
+    no_control(text)

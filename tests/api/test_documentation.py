@@ -1,0 +1,35 @@
+"""What the API says about itself: the OpenAPI schema and its page."""
+
+import yaml
+
+from tests.api.conftest import Api
+
+
+def test_the_schema_names_every_call(api: Api) -> None:
+    answer = api.client.get("/api/schema/")
+    schema = yaml.safe_load(answer.content)
+    assert schema["openapi"].startswith("3.")
+    called = {path: set(calls) for path, calls in schema["paths"].items()}
+    assert called["/api/v1/hub/"] == {"get", "post"}
+    assert called["/api/v1/plan/"] == {"post"}
+    assert {"/api/v1/dialogue/explain/", "/api/v1/topics/{name}/"} <= set(called)
+
+
+def test_the_schema_names_every_field_of_a_turn(api: Api) -> None:
+    schema = yaml.safe_load(api.client.get("/api/schema/").content)
+    fields = schema["components"]["schemas"]["Turn"]["properties"]
+    assert set(fields) == {
+        "client_sentence",
+        "dialogue_state",
+        "capabilities",
+        "language",
+        "culture",
+        "seed",
+    }
+
+
+def test_the_documentation_is_a_page(api: Api) -> None:
+    answer = api.client.get("/api/docs/")
+    assert answer.status_code == 200
+    assert answer.headers["Content-Type"].startswith("text/html")
+    assert "http" not in answer.headers["Content-Security-Policy"]

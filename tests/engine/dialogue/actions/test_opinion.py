@@ -1,0 +1,37 @@
+"""opinion: the person asks what the agent thinks of something."""
+
+from tests.engine.dialogue.talk import act, hear, kinds_said, mrs_smith
+
+
+def test_a_known_topic_is_spoken_of_without_a_yes_no_question():
+    before = mrs_smith("Milk", siblings=2, noes=1)
+    reply = hear(before, "What do you think of tea?", act("opinion", topic="tea"))
+    assert kinds_said(before, reply) == ["p", "w"]
+    assert (reply.topic, reply.state.siblings, reply.state.noes) == ("Tea", 0, 0)
+
+
+def test_without_a_topic_the_current_one_is_meant():
+    before = mrs_smith("Tea", ordering="c")
+    reply = hear(before, "What do you think?", act("opinion", topic=None))
+    assert kinds_said(before, reply) == ["p", "w"]
+    assert reply.topic == "Tea"
+
+
+def test_an_unknown_topic_is_asked_about():
+    before = mrs_smith("Tea")
+    reply = hear(before, "And submarines?", act("opinion", topic="submarines"))
+    assert kinds_said(before, reply) == ["opinion", "wish"]
+    assert reply.topic == "OnYourMind"
+
+
+def test_the_agent_has_no_opinion_of_the_persons_own():
+    before = mrs_smith("Tea")
+    reply = hear(before, "And my milk?", act("opinion", topic="my milk"))
+    assert kinds_said(before, reply) == ["opinion", "wish"]
+    assert "your milk" in reply.sentence
+
+
+def test_before_any_topic_the_agent_still_says_something():
+    before = mrs_smith()
+    reply = hear(before, "What do you think?", act("opinion"))
+    assert kinds_said(before, reply)[0] == "opinion"

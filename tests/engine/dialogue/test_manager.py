@@ -1,0 +1,307 @@
+"""The Dialogue Manager, line by line of Algorithm 1 in the paper."""
+
+import pytest
+
+from dialogue.engine.content import build_content
+from dialogue.engine.manager import start
+from tests.engine.dialogue.talk import act, hear, kinds_said, lines_said, mrs_smith, node, rules
+from tests.engine.dialogue.world import (
+    LIBRARY,
+    NUMBERS,
+    WORLD,
+    changed,
+    with_pool,
+    without_topics,
+)
+
+TEA, MILK = NUMBERS["Tea"], NUMBERS["Milk"]
+
+
+def asked_about_tea(**fields):
+    return mrs_smith("Tea", **{"last_type": "q", "ordering": "rwc", **fields})
+
+
+def test_a_talk_starts_with_a_greeting_and_a_state():
+    reply = start(WORLD, "en", "EN", seed=7)
+    assert reply.sentence in ("Hello, $name!", "Good to see you.")
+    assert (reply.state.language, reply.state.culture, reply.state.seed) == ("en", "EN", 7)
+    assert (reply.sentence_type, reply.topic, reply.state.turn) == ("e", "", 0)
+
+
+# Lines 2-20: the KBplan.
+
+
+def test_lines_3_to_20_actions_are_carried_out_in_order():
+    actions = act("setlikeliness", topic="tea", value="1.0"), act("jump", topic="tea")
+    reply = hear(mrs_smith("Milk"), "I love tea", *actions)
+    assert reply.state.likeliness(TEA) == 1.0
+    assert reply.topic == "Tea"
+
+
+def test_line_4_likeliness_alone_does_not_end_the_turn():
+    before = mrs_smith("Milk", ordering="c")
+    reply = hear(before, "I adore tea so much", act("setlikeliness", topic="tea", value="1.0"))
+    assert reply.state.likeliness(TEA) == 1.0
+    assert reply.sentence
+
+
+def test_lines_11_to_14_a_jump_to_a_known_topic_ends_the_turn():
+    before = mrs_smith("Milk")
+    actions = act("jump", topic="tea", startsentence="p"), act("jump", topic="piano")
+    reply = hear(before, "I love tea", *actions)
+    assert reply.topic == "Tea"
+    assert kinds_said(before, reply)[0] == "p"
+
+
+def test_line_11_a_jump_to_nothing_goes_on_as_if_there_were_no_plan():
+    before = mrs_smith("Tea", ordering="c")
+    reply = hear(before, "Well", act("jump", topic=None))
+    assert kinds_said(before, reply) == ["c"]
+
+
+def test_line_16_an_unknown_action_is_passed_over():
+    before = mrs_smith("Tea", ordering="c")
+    reply = hear(before, "Well", act("dance"), act("more"))
+    assert rules(reply)[0] == "kbplan"
+    assert kinds_said(before, reply) == ["c"]
+
+
+# Lines 21-27: keywords.
+
+
+def test_lines_21_to_27_a_mentioned_topic_begins_with_its_first_type():
+    before = mrs_smith("Piano", ordering="wc", last_type="c", siblings=2, noes=1, misses=1)
+    reply = hear(before, "My cat drinks milk")
+    assert reply.topic == "Milk"
+    assert kinds_said(before, reply) == ["opener", "q"]
+    assert (reply.state.siblings, reply.state.noes, reply.state.misses) == (0, 0, 0)
+
+
+def test_after_an_open_question_a_mentioned_topic_is_acknowledged():
+    before = mrs_smith("Piano", ordering="c", last_type="w")
+    reply = hear(before, "My cat drinks milk")
+    assert kinds_said(before, reply) == ["acknowledge", "opener", "q"]
+
+
+def test_the_first_words_of_the_person_need_no_acknowledgement():
+    begun = start(WORLD, "en", "EN", seed=7)
+    assert kinds_said(begun.state, hear(begun.state, "Milk")) == ["opener", "q"]
+
+
+def test_an_answer_and_a_mentioned_topic_are_both_reacted_to():
+    before = asked_about_tea()
+    reply = hear(before, "Yes I do, with milk")
+    assert kinds_said(before, reply) == ["p", "opener", "q"]
+    assert reply.state.likeliness(TEA) == 0.9
+    assert reply.topic == "Milk"
+
+
+def test_an_answer_that_depends_is_followed_by_the_mentioned_topic():
+    before = asked_about_tea()
+    reply = hear(before, "It depends on the milk")
+    assert kinds_said(before, reply) == ["neutral", "opener", "q"]
+
+
+def test_a_topic_above_or_the_same_is_no_change():
+    before = mrs_smith("GreenTea", ordering="c")
+    reply = hear(before, "tea")
+    assert reply.topic == "GreenTea"
+    assert "stay" in rules(reply)
+
+
+def test_a_gentle_topic_is_begun_without_any_opener():
+    before = mrs_smith("Tea", ordering="wc")
+    reply = hear(before, "I was at two funerals")
+    assert kinds_said(before, reply) == ["c"]
+    assert (reply.topic, reply.state.ordering) == ("Funerals", "wc")
+
+
+def test_keywords_are_ignored_while_the_person_is_listened_to():
+    before = mrs_smith("OnYourMind", ordering="wc", last_type="c")
+    reply = hear(before, "She liked milk a lot")
+    assert (reply.topic, reply.sentence_type) == ("OnYourMind", "w")
+
+
+def test_a_hard_subject_wins_while_listening_and_all_others_after_it():
+    listening = mrs_smith("OnYourMind", ordering="wc")
+    assert hear(listening, "the funerals").topic == "Funerals"
+    assert hear(mrs_smith("OnYourMind"), "She liked milk a lot").topic == "Milk"
+
+
+def test_a_plan_that_was_asked_for_is_no_topic():
+    before = asked_about_tea()
+    reply = hear(before, "Play the piano for me", plan_matched=True)
+    assert reply.topic == "Tea"
+    assert kinds_said(before, reply) == ["w"]
+    assert reply.state.ordering == "c"
+
+
+# Lines 28-39: the ordering, the next topic.
+
+
+def test_lines_34_to_37_the_topic_goes_on_with_its_next_type():
+    before = mrs_smith("Tea", ordering="wc")
+    reply = hear(before, "Well")
+    assert (reply.topic, reply.sentence_type, reply.state.ordering) == ("Tea", "w", "c")
+
+
+def test_lines_29_to_33_a_completed_topic_is_followed_by_the_next():
+    before = mrs_smith("Tea")
+    reply = hear(before, "Well")
+    assert (reply.topic, reply.sentence_type) == ("GreenTea", "q")
+
+
+# The answer to a yes/no question.
+
+
+def test_r_is_p_after_a_yes():
+    before = asked_about_tea(noes=1)
+    reply = hear(before, "Yes")
+    assert kinds_said(before, reply) == ["p", "w"]
+    assert (reply.state.ordering, reply.state.noes) == ("c", 0)
+    assert reply.state.likeliness(TEA) == 0.9
+
+
+def test_r_is_n_after_a_first_no_and_a_sibling_follows():
+    before = asked_about_tea()
+    reply = hear(before, "No")
+    assert kinds_said(before, reply)[0] == "n"
+    assert reply.topic in ("Milk", "Coffee", "TeaCeremony")
+    assert reply.state.likeliness(TEA) == 0.1
+    assert reply.state.noes == 1
+
+
+def test_a_second_no_leads_to_another_branch():
+    before = asked_about_tea(noes=1)
+    reply = hear(before, "No, I hate it")
+    assert kinds_said(before, reply)[0] == "n"
+    assert node(reply.topic).branch != NUMBERS["FoodAndDrink"]
+    assert (reply.state.noes, reply.state.likeliness(TEA)) == (0, 0.0)
+
+
+def test_r_is_dropped_after_a_neutral_answer_which_is_acknowledged():
+    before = asked_about_tea()
+    reply = hear(before, "It depends")
+    assert kinds_said(before, reply) == ["neutral", "w"]
+    assert reply.state.ordering == "c"
+
+
+def test_r_is_dropped_after_no_answer_at_all():
+    before = asked_about_tea()
+    reply = hear(before, "hm")
+    assert kinds_said(before, reply) == ["w"]
+    assert reply.state.likeliness(TEA) is None
+
+
+def test_an_answer_about_a_topic_that_is_gone_changes_nothing():
+    content = without_topics("Tea", "GreenTea")
+    reply = hear(asked_about_tea(), "Yes", content=content)
+    assert reply.state.levels == b""
+    assert reply.topic not in ("", "Tea")
+
+
+# Acknowledgements.
+
+
+@pytest.mark.parametrize(
+    ("last_type", "sentence", "said"),
+    [
+        ("w", "Hm", ["acknowledge", "c"]),
+        ("e", "Hm", ["acknowledge", "c"]),
+        ("c", "Hm", ["c"]),
+        ("c", "It rains outside", ["acknowledge", "c"]),
+        ("c", "Why is that?", ["not_understood", "c"]),
+    ],
+)
+def test_the_person_is_heard(last_type, sentence, said):
+    before = mrs_smith("Tea", ordering="c", last_type=last_type)
+    assert kinds_said(before, hear(before, sentence)) == said
+
+
+def test_turns_that_were_not_understood_are_counted():
+    before = mrs_smith("Tea", ordering="c", misses=1)
+    assert hear(before, "Why is that?").state.misses == 2
+    assert hear(before, "That is so").state.misses == 0
+
+
+# Help, coming back, speaking after the end.
+
+
+def test_who_asks_for_help_hears_no_chit_chat():
+    before = mrs_smith("Tea", ordering="wc", offer=5)
+    reply = hear(before, "Help me", act("more"), urgent=True)
+    assert kinds_said(before, reply) == ["urgent"]
+    assert (reply.state.ordering, reply.state.offer) == ("wc", 0)
+    assert rules(reply)[0] == "urgent"
+
+
+def test_help_without_its_pool_still_gets_a_reply():
+    before = mrs_smith("Tea", ordering="c")
+    reply = hear(before, "Help me", urgent=True, content=with_pool("urgent"))
+    assert reply.sentence
+
+
+def test_an_empty_sentence_with_a_state_is_welcomed_back():
+    before = mrs_smith("Tea", ordering="wc", ended=True, offer=5)
+    reply = hear(before, "  ")
+    assert kinds_said(before, reply) == ["welcome_back"]
+    assert (reply.state.ended, reply.state.ordering) == (False, "wc")
+    assert reply.sentence_type == "e"
+
+
+def test_speaking_after_the_end_opens_the_talk_again():
+    before = mrs_smith("Tea", ordering="c", ended=True, last_type="c")
+    reply = hear(before, "One more thing though")
+    assert kinds_said(before, reply) == ["after_end", "c"]
+    assert not reply.state.ended
+
+
+# What the state carries.
+
+
+def test_the_turn_and_the_questions_in_a_row_are_counted():
+    before = mrs_smith("Tea", ordering="wc", questions=1)
+    asked = hear(before, "Well")
+    assert (asked.state.turn, asked.state.questions) == (6, 2)
+    assert hear(asked.state, "Well").state.questions == 0
+
+
+def test_a_reply_without_words_keeps_the_last_type():
+    reply = hear(mrs_smith(last_type="q"), "Forget it", act("forget"), plan_said=True)
+    assert (reply.sentence, reply.sentence_type) == ("", "q")
+
+
+def test_a_line_of_an_unknown_pool_is_a_remark():
+    before = mrs_smith(frames=(next(iter(WORLD.tree.lines)),))
+    reply = hear(before, "Goodbye", act("stop"))
+    assert reply.sentence_type == "c"
+
+
+def test_sentences_are_joined_as_the_language_wants_it():
+    before = mrs_smith("Tea", ordering="pc", language="ja", culture="JP")
+    reply = hear(before, "うん")
+    assert " " not in reply.sentence
+    assert len(lines_said(before, reply)) == 2
+
+
+def test_no_step_is_noted_unless_asked_for():
+    reply = hear(mrs_smith("Tea", ordering="c"), "Well")
+    assert "say" in rules(reply)
+    assert start(WORLD, "en", "EN").steps == ()
+
+
+@pytest.mark.parametrize(
+    ("language", "culture", "sentence"),
+    [("en", "EN", "Yes"), ("it", "IT", "Sì"), ("ja", "JP", "はい")],
+)
+def test_the_answer_is_understood_in_each_language(language, culture, sentence):
+    before = asked_about_tea(language=language, culture=culture)
+    reply = hear(before, sentence)
+    assert kinds_said(before, reply) == ["p", "w"]
+
+
+def test_a_sentence_kept_for_a_culture_is_said_there():
+    content = build_content(changed("Tea", pattern=("c",)), LIBRARY)
+    before = mrs_smith("Milk", culture="JP", language="ja")
+    said = {hear(before, "お茶", content=content).sentence for _ in range(1)}
+    assert said
