@@ -1,20 +1,29 @@
 """The authoring pages of topics and sentences (plain forms)."""
 
+from typing import Any
+
+from django import forms
 from django.contrib import admin
 from django.db.models import QuerySet
 from django.http import HttpRequest
 
-from dialogue import models
+from dialogue import authoring, models
+from languages.known import LANGUAGES
 
 
-class NameInline(admin.TabularInline):
+class LanguageInline(admin.TabularInline):
+    """One row a language; a new page offers all of them."""
+
+    def get_extra(self, request: HttpRequest, obj: Any = None, **kwargs: Any) -> int:
+        return 0 if obj else len(LANGUAGES)
+
+
+class NameInline(LanguageInline):
     model = models.TopicName
-    extra = 0
 
 
-class KeywordInline(admin.TabularInline):
+class KeywordInline(LanguageInline):
     model = models.KeywordSet
-    extra = 0
 
 
 class VariableInline(admin.TabularInline):
@@ -34,18 +43,25 @@ class LinkInline(admin.TabularInline):
     autocomplete_fields = ("target",)
 
 
-class SentenceInline(admin.TabularInline):
+class SentenceInline(LanguageInline):
     model = models.Sentence
-    extra = 0
+
+
+class PlacedAdmin(admin.ModelAdmin):
+    """A new row is proposed after all others."""
+
+    def get_changeform_initial_data(self, request: HttpRequest) -> dict[str, Any]:
+        place = authoring.next_position(self.model)
+        return {"position": place, **super().get_changeform_initial_data(request)}
 
 
 @admin.register(models.Culture)
-class CultureAdmin(admin.ModelAdmin):
+class CultureAdmin(PlacedAdmin):
     list_display = ("code", "language", "position")
 
 
 @admin.register(models.Topic)
-class TopicAdmin(admin.ModelAdmin):
+class TopicAdmin(PlacedAdmin):
     list_display = ("key", "parent", "home", "gentle")
     list_filter = ("gentle", "home")
     list_select_related = ("parent", "home")
@@ -53,9 +69,34 @@ class TopicAdmin(admin.ModelAdmin):
     autocomplete_fields = ("parent", "also")
     inlines = (NameInline, KeywordInline, InstanceInline, VariableInline, LinkInline)
 
+    def save_related(self, request: HttpRequest, form: Any, formsets: Any, change: bool) -> None:
+        super().save_related(request, form, formsets, change)
+        authoring.give_likeliness(form.instance)
+        authoring.rename_frames(form.instance)
+
+
+class FrameForm(forms.ModelForm):
+    """A frame whose key is proposed when it is left empty or no longer fits."""
+
+    key = forms.CharField(
+        required=False,
+        max_length=140,
+        help_text="Stable name; left empty, the next free one is taken. Example: GreenTea.q4",
+    )
+
+    def clean(self) -> dict[str, Any]:
+        cleaned: dict[str, Any] = super().clean() or self.cleaned_data
+        topic, pool = cleaned.get("topic"), cleaned.get("pool", "")
+        moved = {"topic", "pool", "type"} & {*self.changed_data}
+        proposed = not cleaned.get("key") or (moved and "key" not in self.changed_data)
+        if proposed and bool(topic) != bool(pool):
+            cleaned["key"] = authoring.next_key(topic, pool, cleaned.get("type", ""))
+        return cleaned
+
 
 @admin.register(models.Frame)
-class FrameAdmin(admin.ModelAdmin):
+class FrameAdmin(PlacedAdmin):
+    form = FrameForm
     list_display = ("key", "topic", "pool", "type", "in_english")
     list_filter = ("type", "pool")
     list_select_related = ("topic",)

@@ -5,6 +5,7 @@ from collections.abc import Iterable, Mapping
 
 from dialogue import models
 from dialogue.engine import concepts
+from dialogue.engine.tree_order import in_tree_order
 from languages.known import LANGUAGES
 
 ByTopic = dict[int, list[concepts.Frame]]
@@ -18,7 +19,7 @@ def read_knowledge() -> concepts.Knowledge:
     rows = {row.pk: row for row in models.Topic.objects.all()}
     keys = {number: row.key for number, row in rows.items()}
     parts = _Parts(codes, keys)
-    topics = tuple(_topic(rows[number], parts, frames, codes) for number in _in_tree_order(rows))
+    topics = in_tree_order(_topic(row, parts, frames, codes) for row in rows.values())
     return concepts.Knowledge(
         cultures=tuple(
             concepts.Culture(code=row.code, names=row.names, language=row.language)
@@ -58,24 +59,7 @@ class _Parts:
 
 
 def _words(text: str) -> tuple[str, ...]:
-    return tuple(word for word in text.split("|") if word)
-
-
-def _in_tree_order(rows: Mapping[int, models.Topic]) -> list[int]:
-    """Return the topics branch after branch, each in the order its experts gave it."""
-    branches: dict[int, list[int]] = {}
-    for number, row in rows.items():
-        above = row
-        for _ in range(len(rows)):
-            if above.parent_id is None:
-                break
-            above = rows[above.parent_id]
-        branches.setdefault(above.pk, []).append(number)
-    order = {number: place for place, number in enumerate(rows)}
-    by_key = sorted(branches, key=lambda number: rows[number].key)
-    return [
-        number for branch in by_key for number in sorted(branches[branch], key=order.__getitem__)
-    ]
+    return tuple(word.strip() for word in text.split("|") if word.strip())
 
 
 def _in_order(texts: Mapping[str, object]) -> list[str]:
@@ -86,6 +70,7 @@ def _topic(
     row: models.Topic, parts: _Parts, frames: ByTopic, codes: Mapping[int, str]
 ) -> concepts.Topic:
     number = row.pk
+    home = codes[row.home_id] if row.home_id else ""
     names, variables = parts.names[number], parts.variables[number]
     keywords = parts.keywords[number]
     return concepts.Topic(
@@ -93,14 +78,16 @@ def _topic(
         key=row.key,
         is_a=parts.keys[row.parent_id] if row.parent_id else concepts.ROOT,
         also=tuple(parts.also[number]),
-        of=codes[row.home_id] if row.home_id else "",
+        of=home,
         gentle=row.gentle,
         stop=row.stop,
         pattern=tuple(part.strip() for part in row.pattern.split(" | ")) if row.pattern else (),
         variables={code: variables[code] for code in _in_order(variables)},
         names={code: names[code] for code in _in_order(names)},
         keywords={code: keywords[code] for code in _in_order(keywords)},
-        likeliness=parts.likeliness[number],
+        # A culture without an individual of its own, e.g. a new one, starts with what is usual.
+        likeliness=concepts.usual_likeliness(home, tuple(codes.values()))
+        | parts.likeliness[number],
         see=tuple(parts.see[number]),
         note=row.note,
         frames=tuple(frames[number]),

@@ -7,7 +7,21 @@ from django.db import models
 from django.db.models import Q
 
 from dialogue import validators
-from dialogue.validators import LANGUAGE_CHOICES, no_control
+from dialogue.said import Frame, Sentence
+from dialogue.validators import languages, no_control
+
+__all__ = [
+    "Culture",
+    "Frame",
+    "KeywordSet",
+    "Publication",
+    "Sentence",
+    "Topic",
+    "TopicInstance",
+    "TopicLink",
+    "TopicName",
+    "Variable",
+]
 
 
 class Culture(models.Model):
@@ -25,7 +39,7 @@ class Culture(models.Model):
         help_text='Its name in each language. Example: {"en": "Indian", "it": "indiana"}',
     )
     language = models.CharField(
-        max_length=8, choices=LANGUAGE_CHOICES, help_text="The language usually spoken. Example: en"
+        max_length=8, choices=languages, help_text="The language usually spoken. Example: en"
     )
     position = models.PositiveIntegerField(default=0, help_text="Place in lists. Example: 1")
 
@@ -115,7 +129,7 @@ class TopicName(models.Model):
     """What a topic is called in one language, with the forms that cannot be derived."""
 
     topic = models.ForeignKey(Topic, models.CASCADE, related_name="names")
-    language = models.CharField(max_length=8, choices=LANGUAGE_CHOICES, help_text="Example: it")
+    language = models.CharField(max_length=8, choices=languages, help_text="Example: it")
     name = models.CharField(
         max_length=120,
         validators=[no_control],
@@ -144,7 +158,7 @@ class Variable(models.Model):
     """A word that sentences of this topic and of all below it may use as `$unit`."""
 
     topic = models.ForeignKey(Topic, models.CASCADE, related_name="variables")
-    language = models.CharField(max_length=8, choices=LANGUAGE_CHOICES, help_text="Example: en")
+    language = models.CharField(max_length=8, choices=languages, help_text="Example: en")
     name = models.CharField(
         max_length=40,
         validators=[validators.variable_name],
@@ -165,7 +179,7 @@ class KeywordSet(models.Model):
     """The two sets of words by which a topic is recognised in one language."""
 
     topic = models.ForeignKey(Topic, models.CASCADE, related_name="keywords")
-    language = models.CharField(max_length=8, choices=LANGUAGE_CHOICES, help_text="Example: en")
+    language = models.CharField(max_length=8, choices=languages, help_text="Example: en")
     first = models.CharField(
         max_length=500,
         validators=[no_control, validators.keywords],
@@ -235,98 +249,6 @@ class TopicLink(models.Model):
 
     def __str__(self) -> str:
         return f"to {self.target_id}"
-
-
-class Frame(models.Model):
-    """One thing the agent can say, about a topic or from a pool, in every language."""
-
-    key = models.CharField(
-        max_length=140,
-        unique=True,
-        help_text="Stable name. Example: GreenTea.q1",
-        validators=[validators.frame_key],
-    )
-    topic = models.ForeignKey(
-        Topic,
-        models.CASCADE,
-        null=True,
-        blank=True,
-        related_name="frames",
-        help_text="Example: Tea",
-    )
-    pool = models.CharField(
-        max_length=40,
-        blank=True,
-        choices=validators.POOL_CHOICES,
-        help_text="For lines without a topic.",
-    )
-    type = models.CharField(
-        max_length=1,
-        blank=True,
-        choices=validators.TYPE_CHOICES,
-        help_text="Example: q, a yes/no question",
-    )
-    scope = models.CharField(
-        max_length=8,
-        blank=True,
-        choices=validators.SCOPE_CHOICES,
-        help_text="Where it may be said.",
-    )
-    only = models.ManyToManyField(
-        Culture, blank=True, help_text="Said only in these cultures; none chosen means all."
-    )
-    do = models.CharField(
-        "activity",
-        max_length=200,
-        blank=True,
-        validators=[no_control, validators.activity],
-        help_text="For proposals: the plan to run. Example: playsong title=$hasName",
-    )
-    slot = models.SmallIntegerField(default=-1, editable=False)
-    position = models.PositiveIntegerField(default=0, help_text="Place in the list. Example: 2")
-
-    class Meta:
-        ordering = ["position", "id"]
-        constraints = [
-            models.CheckConstraint(
-                condition=Q(topic__isnull=False, pool="") | Q(topic__isnull=True) & ~Q(pool=""),
-                name="frame_of_topic_or_pool",
-                violation_error_message="Choose either a topic or a pool.",
-            )
-        ]
-
-    def __str__(self) -> str:
-        return self.key
-
-    def clean(self) -> None:
-        if self.topic and not self.type:
-            raise ValidationError({"type": "Choose what kind of sentence it is."})
-        if self.pool and self.type:
-            raise ValidationError({"type": "A line of a pool has no type; leave it empty."})
-        begin = f"{self.topic}.{self.type}" if self.topic else f"{self.pool}."
-        if self.key and not self.key.removeprefix(begin).isdecimal():
-            raise ValidationError({"key": f"It must be {begin} and a number, or left empty."})
-
-
-class Sentence(models.Model):
-    """What a frame says in one language."""
-
-    frame = models.ForeignKey(Frame, models.CASCADE, related_name="sentences")
-    language = models.CharField(max_length=8, choices=LANGUAGE_CHOICES, help_text="Example: en")
-    text = models.CharField(
-        max_length=400, validators=[no_control], help_text="Example: Do you like $hasName?"
-    )
-
-    class Meta:
-        constraints = [
-            models.UniqueConstraint(fields=["frame", "language"], name="one_sentence_a_language")
-        ]
-
-    def __str__(self) -> str:
-        return self.text
-
-    def clean(self) -> None:
-        validators.check_sentence(self.language, self.text)
 
 
 class Publication(models.Model):

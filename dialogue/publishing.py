@@ -174,12 +174,17 @@ def _watch() -> None:
     pause = threading.Event()
     while not pause.wait(settings.CAIR_POLL_SECONDS):
         try:
-            refresh()
+            _look()
         except Exception as error:  # noqa: BLE001 - a watch that ends would see nothing ever again
             # The last good content goes on being served; the next look may succeed.
             logger.warning("Cannot take over a newer publication: %r", error)
-        finally:
-            close_old_connections()
+
+
+def _look() -> None:
+    try:
+        refresh()
+    finally:
+        close_old_connections()
 
 
 def refresh() -> bool:

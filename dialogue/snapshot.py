@@ -37,7 +37,7 @@ def unpack(data: bytes, expected: str) -> Snapshot:
     """Return the snapshot, or raise SnapshotError where it is not what was stored."""
     if checksum(data) != expected:
         raise SnapshotError("The publication is damaged: its checksum differs. Publish again.")
-    if data[:4] != _MAGIC or data[4] != FORMAT:
+    if data[:5] != _MAGIC + bytes((FORMAT,)):
         raise SnapshotError(f"The publication has another format than {FORMAT}. Publish again.")
     try:
         return msgspec.msgpack.decode(zlib.decompress(data[5:]), type=Snapshot)

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 from dialogue.engine.content import Content
 from dialogue.engine.manager import start
 from dialogue.turns import take_turn
+from languages.known import LANGUAGES
 
 USER = "user: "
 
@@ -22,6 +23,7 @@ def retell(content: Content, text: str) -> str:
 
 def _talk(content: Content, head: str, said: list[str]) -> Iterator[str]:
     language, culture, seed = head.split()
+    separator = " " if LANGUAGES[language].spaced else ""
     reply = start(content, language, culture, int(seed))
     yield f"agent: {reply.sentence}"
     for sentence in said:
@@ -30,4 +32,4 @@ def _talk(content: Content, head: str, said: list[str]) -> Iterator[str]:
         reply = taken.reply
         if taken.plan.plan:
             yield f"plan: {taken.plan.plan}"
-        yield f"agent: {' '.join(filter(None, (taken.plan.plan_sentence, reply.sentence)))}"
+        yield f"agent: {separator.join(filter(None, (taken.plan.plan_sentence, reply.sentence)))}"

@@ -11,12 +11,10 @@ from dialogue.engine.sentence_types import SENTENCE_TYPES
 from languages.known import LANGUAGES
 from languages.language import FormError
 from languages.templates import TemplateError, compile_template
-from plans.validators import LANGUAGE_CHOICES, no_control, texts_by_language
+from plans.validators import languages, no_control, texts_by_language
 
-__all__ = ["LANGUAGE_CHOICES", "no_control", "texts_by_language"]
+__all__ = ["languages", "no_control", "texts_by_language"]
 
-TYPE_CHOICES = [(row.letter, f"{row.letter}: {row.name}") for row in SENTENCE_TYPES.values()]
-POOL_CHOICES = [(pool.name, f"{pool.name}: {pool.used_when}") for pool in POOLS.values()]
 SCOPE_CHOICES = [
     ("", "this topic and everything below it"),
     ("self", "this topic only"),
@@ -36,6 +34,16 @@ keywords = RegexValidator(
     r"\A(?!.* / )(?!\s*/)(?!.*/\s*\Z)[^\n]*\Z",
     "Write one set of words apart by |; the second set has a field of its own.",
 )
+
+
+def types() -> list[tuple[str, str]]:
+    """Return the choices of sentence types; a function, so that a new one needs no migration."""
+    return [(row.letter, f"{row.letter}: {row.name}") for row in SENTENCE_TYPES.values()]
+
+
+def pools() -> list[tuple[str, str]]:
+    """Return the choices of pools."""
+    return [(pool.name, f"{pool.name}: {pool.used_when}") for pool in POOLS.values()]
 
 
 def not_the_root(key: str) -> None:

@@ -63,14 +63,21 @@ _FAMILY = re.compile(
     f"(?:さん|さま|様|ちゃん|君|くん)?(?![{_KANJI}])"
 )
 _TITLED = re.compile(r"(?:さん|さま|様|ちゃん|君|くん)$")
+# A given name behind a relative gets its さん: 奥様の和子 → 奥様の和子さん. Known by its last
+# character; words that merely end like one (帽子, 様子) are not names.
+_NAMED = re.compile(
+    rf"(?<=の)((?!(?:椅|帽|様|調|弟|菓|餃|扇|女|男|親|迷|利|障|冊|王|双|種|団|獅|硝)子)"
+    rf"[{_KANJI}]{{1,2}}[子美江恵代枝郎雄男夫助介吉太])$"
+)
 
 
 def their_words(words: str) -> str:
-    """Return the person's words as the agent says them: 「私の妻の春子」 is 「奥様の春子」.
+    """Return the person's words as the agent says them: 「私の妻の春子」 is 「奥様の春子さん」.
 
     Words already polite (お母さん) and parts of other words (母国) stay.
     """
-    return _FAMILY.sub(_turned, _MINE.sub("", words))
+    turned = _FAMILY.sub(_turned, _MINE.sub("", words))
+    return turned if turned == words else _NAMED.sub(r"\1さん", turned)
 
 
 def _turned(found: re.Match[str]) -> str:

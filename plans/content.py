@@ -4,6 +4,7 @@ from collections import defaultdict
 from collections.abc import Iterable
 from typing import Protocol, TypeVar
 
+from languages.known import LANGUAGES
 from plans import models
 from plans.engine import intents as values
 
@@ -86,7 +87,7 @@ def _by_language(rows: Iterable[Spoken]) -> dict[str, list[Spoken]]:
     groups: dict[str, list[Spoken]] = {}
     for row in rows:
         groups.setdefault(row.language, []).append(row)
-    return {code: groups[code] for code, _ in models.LANGUAGE_CHOICES if code in groups}
+    return {code: groups[code] for code in LANGUAGES if code in groups}
 
 
 def _slot(row: models.Slot) -> values.Slot:

@@ -4,7 +4,7 @@ from django.core.validators import MaxValueValidator
 from django.db import models
 
 from plans import validators
-from plans.validators import LANGUAGE_CHOICES, no_control, one_word
+from plans.validators import languages, no_control, one_word
 
 
 class Phrase(models.Model):
@@ -102,7 +102,7 @@ class Trigger(models.Model):
     """A trigger sentence: one way to say it, as a pattern."""
 
     intent = models.ForeignKey(Intent, models.CASCADE, related_name="triggers")
-    language = models.CharField(max_length=8, choices=LANGUAGE_CHOICES, help_text="Example: en")
+    language = models.CharField(max_length=8, choices=languages, help_text="Example: en")
     text = models.CharField(
         max_length=500,
         validators=[no_control, validators.trigger_pattern],
@@ -121,7 +121,7 @@ class PlanSentence(models.Model):
     """What the agent says before the plan."""
 
     intent = models.ForeignKey(Intent, models.CASCADE, related_name="plan_sentences")
-    language = models.CharField(max_length=8, choices=LANGUAGE_CHOICES, help_text="Example: en")
+    language = models.CharField(max_length=8, choices=languages, help_text="Example: en")
     text = models.CharField(
         max_length=400, validators=[no_control], help_text="Example: Let us listen to {title}."
     )
@@ -174,7 +174,7 @@ class IntentTest(models.Model):
     """A stored test: a sentence and what must be captured from it."""
 
     intent = models.ForeignKey(Intent, models.CASCADE, related_name="tests")
-    language = models.CharField(max_length=8, choices=LANGUAGE_CHOICES, help_text="Example: en")
+    language = models.CharField(max_length=8, choices=languages, help_text="Example: en")
     sentence = models.CharField(
         max_length=500,
         validators=[no_control, validators.test_sentence],

@@ -11,7 +11,6 @@ from plans.engine.intents import ActionItem
 from plans.engine.patterns import PatternError, parse_pattern
 from plans.engine.plan_text import PlanTextError, parse_plan, print_plan
 
-LANGUAGE_CHOICES = [(code, language.own_name) for code, language in LANGUAGES.items()]
 LONGEST_TEXT = 2000
 
 one_word = RegexValidator(
@@ -31,6 +30,11 @@ culture_codes = RegexValidator(
 
 _PARAMETER = re.compile(r"[a-z][a-z0-9_]*")
 _KEPT_FOR_FILES = ("->", "|", "\n")
+
+
+def languages() -> list[tuple[str, str]]:
+    """Return the choices of languages; a function, so that a new one needs no migration."""
+    return [(code, language.own_name) for code, language in LANGUAGES.items()]
 
 
 def texts_by_language(value: object) -> None:
@@ -58,10 +62,9 @@ def words_by_value(value: object) -> None:
 def parameter_pairs(value: object) -> None:
     """Refuse all but names with values in order: [["title", "{title}"]]."""
     shape = 'Write [["title", "{title}"]]: names and values in order.'
-    pairs = value if isinstance(value, list) else [None]
-    if not all(isinstance(pair, list) and [*map(type, pair)] == [str, str] for pair in pairs):
+    if not isinstance(value, list) or not all(map(_is_pair, value)):
         raise ValidationError(shape)
-    item = ActionItem(action="plan", parameters=tuple((name, text) for name, text in pairs))
+    item = ActionItem(action="plan", parameters=tuple((name, text) for name, text in value))
     try:
         same = parse_plan(print_plan((item,))) == (item,)
     except PlanTextError as error:
@@ -94,6 +97,10 @@ def trigger_pattern(text: str) -> None:
         parse_pattern(text)
     except PatternError as error:
         raise ValidationError(str(error)) from error
+
+
+def _is_pair(pair: object) -> bool:
+    return isinstance(pair, list) and len(pair) == 2 and all(isinstance(each, str) for each in pair)
 
 
 def _languages(value: object, shape: str) -> Iterator[tuple[str, object]]:

@@ -25,6 +25,8 @@ def begin(turn: Turn, node: Node, *, start: str = "", opinion: bool = False) -> 
         ordering = start + _after_start(ordering, start)
     elif opinion or turn.likeliness(node) == LOVED:
         ordering = _without_question(ordering)
+    if node.gentle and ordering[:1] != "c":
+        ordering = f"c{ordering}"  # A hard subject is heard before it is asked about.
     turn.state = turn.state.with_topic_started(node.number)
     turn.change(ordering=ordering)
     turn.note("begin", f"Topic {node.key}, ordering {' '.join(ordering) or 'empty'}")
@@ -53,11 +55,20 @@ def _without_question(ordering: str) -> str:
 def carry_on(turn: Turn) -> None:
     """Say the next types of the ordering until one ends the turn; then the topic is completed."""
     for _ in range(MOST_TOPICS_A_TURN):
-        if _say_ordering(turn):
+        if _say_ordering(turn) or _hand_over(turn):
             return
         if not _enter_next(turn):
             break
     say_from_pool(turn, "initiative")
+
+
+def _hand_over(turn: Turn) -> bool:
+    """After a hard subject the person says what comes next; True where they were asked."""
+    node = turn.node
+    if node is None or not node.gentle or turn.moving or turn.state.last_type == "e":
+        return False
+    turn.note("hand over", f"{node.key} is a hard subject: the person chooses how to go on.")
+    return say_from_pool(turn, "initiative")
 
 
 def _say_ordering(turn: Turn) -> bool:
@@ -126,10 +137,10 @@ def announce(turn: Turn, old: Node | None, step: Step) -> None:
         return
     language = turn.state.language
     names = {"toName": step.node.names[language]}
-    if old is None or old.gentle or language not in old.names:
-        say_from_pool(turn, "change", names)
+    if old is None:
+        say_from_pool(turn, "begin", names)
         return
-    if step.way == "far":
+    if step.way == "far" or old.gentle or language not in old.names:
         say_from_pool(turn, "change", names)
         return
     if turn.chance.random() < 0.5 and say_transition(turn, old, step.node):

@@ -15,6 +15,7 @@ from dialogue.engine.sentence_types import REACTION, SENTENCE_TYPES
 from dialogue.engine.state import DialogueState
 from dialogue.engine.tree import Node
 from dialogue.engine.turn import Heard, Step, Turn
+from dialogue.engine.wishes import listen
 from languages.language import Attitude
 from plans.engine.manager import PlanAnswer
 
@@ -66,8 +67,10 @@ def _help(turn: Turn) -> bool:
     """Somebody asked for help: no chit-chat in this turn."""
     if not turn.heard.urgent:
         return False
-    turn.note("urgent", "Help was asked for.")
-    return say_from_pool(turn, "urgent")
+    turn.note("urgent", "Help was asked for: stay with the person from now on.")
+    said = say_from_pool(turn, "urgent")
+    listen(turn)
+    return said
 
 
 def _kbplan(turn: Turn) -> bool:
@@ -164,7 +167,7 @@ def _nod(turn: Turn, mentioned: Node, *, answered: bool) -> None:
     if answered and node and turn.state.ordering[:1] in ("p", "n"):
         say_of_type(turn, node, turn.state.ordering[0])
     elif turn.state.last_type in OPEN_TYPES and turn.state.turn > 1:
-        say_from_pool(turn, "acknowledge")
+        _say_heard(turn)
     say_from_pool(turn, "opener", {"toName": mentioned.names[turn.state.language]})
 
 
@@ -178,14 +181,20 @@ def _acknowledge(turn: Turn) -> None:
     turn.change(misses=0)
     long_enough = len(turn.language.tokens(sentence)) >= WORDS_WORTH_A_NOD
     if turn.state.last_type in OPEN_TYPES or long_enough:
-        say_from_pool(turn, "acknowledge")
+        _say_heard(turn)
+
+
+def _say_heard(turn: Turn) -> None:
+    """Say that the answer was heard, in the tone of the subject."""
+    node = turn.node
+    say_from_pool(turn, "gentle" if node and node.gentle else "acknowledge")
 
 
 def _finish(turn: Turn) -> Reply:
     """Put the parts together and write down what the next turn must know."""
     line = turn.last_line
     type_ = _type(turn)
-    asks = type_ in SENTENCE_TYPES and SENTENCE_TYPES[type_].asks
+    asks = line is not None and type_ in SENTENCE_TYPES and SENTENCE_TYPES[type_].asks
     turn.change(
         last_type=type_,
         questions=turn.state.questions + 1 if asks else 0,

@@ -63,7 +63,15 @@ def choose(turn: Turn, node: Node, lines: Sequence[Line]) -> Line:
     if not unused:
         mask = sum(1 << line.slot for line in lines)
         turn.state = turn.state.without_used(node.number, mask)
-    return _least_recent(turn, node, unused or lines)
+    return _least_recent(
+        turn, node, _but_the_last(turn, unused) or _but_the_last(turn, lines) or lines
+    )
+
+
+def _but_the_last(turn: Turn, lines: Sequence[Line]) -> Sequence[Line]:
+    """Return the lines without the one said last, perhaps about another topic."""
+    last = turn.state.frames[-1:]
+    return [line for line in lines if line.number not in last]
 
 
 def _least_recent(turn: Turn, node: Node, lines: Sequence[Line]) -> Line:
@@ -71,6 +79,9 @@ def _least_recent(turn: Turn, node: Node, lines: Sequence[Line]) -> Line:
     fresh = [line for line in lines if line.number not in heard]
     if not fresh:
         return min(lines, key=lambda line: _last_heard(heard, line.number))
+    own = [line for line in fresh if line.owner == node.number]
+    if node.gentle and own:
+        fresh = own  # What was written for this very grief comes first.
     chosen = draw([(line, _weight(node, line)) for line in fresh], turn.chance)
     return chosen or fresh[0]
 

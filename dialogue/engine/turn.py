@@ -62,6 +62,7 @@ class Turn:
     steps: list[Step] = field(default_factory=list)
     last_line: Line | None = None
     plan: PlanAnswer | None = None
+    moving: bool = False  # the person asked for another subject
     announced: bool = False  # the change of subject has been said already
 
     @property

@@ -4,7 +4,7 @@ import json
 from collections.abc import Iterable, Mapping
 
 _SPECIAL_START = frozenset("!&*-?:,[]{}#|>@`\"'%")
-_SPECIAL_FLOW = frozenset(",[]{}:")
+_SPECIAL_FLOW = frozenset(",[]{}:?")
 
 
 def scalar(text: str) -> str:

@@ -187,6 +187,11 @@ def _by_file(knowledge: Knowledge) -> dict[str, list[Topic]]:
     return files
 
 
+def without_number(base: KnowledgeBase) -> list[str]:
+    """Return the keys of all that has no number yet."""
+    return [key for rows in _numbers(base).values() for key, number, _ in rows if not number]
+
+
 def _numbers(base: KnowledgeBase) -> dict[str, list[tuple[str, int, int]]]:
     topics = base.knowledge.topics
     frames = [frame for topic in topics for frame in topic.frames]

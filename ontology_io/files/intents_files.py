@@ -1,6 +1,7 @@
 """Read and write intents.yaml: phrases, value lists, intents with their tests."""
 
 from collections.abc import Mapping
+from typing import TypeVar
 
 from languages.known import LANGUAGES
 from ontology_io.files.emit import flow_list, flow_map, flow_scalar, raw_map, scalar
@@ -18,6 +19,7 @@ from plans.engine.intents import (
 from plans.engine.plan_text import PlanTextError, parse_plan, print_plan
 
 SECTIONS = ("phrases", "values", "intents")
+Said = TypeVar("Said")
 CODES = frozenset(LANGUAGES)
 NAMED_KEYS = frozenset(("id",)) | CODES
 INTENT_KEYS = frozenset(("id", "priority", "slots", "ask", "plan", "kbplan", "note")) | CODES
@@ -74,18 +76,22 @@ def _intent(value: Value) -> Intent:
         key=_text(entries, "id"),
         priority=int(priority),
         slots=_slots(entries),
-        triggers={code: _texts(one, "triggers") for code, one in speech.items()},
-        plan_sentences={
-            code: tuple(_plan_sentence(said) for said in each(one, "says"))
-            for code, one in speech.items()
-        },
+        triggers=_filled({code: _texts(one, "triggers") for code, one in speech.items()}),
+        plan_sentences=_filled(
+            {code: tuple(map(_plan_sentence, each(one, "says"))) for code, one in speech.items()}
+        ),
         plan=_plan(entries, "plan"),
         kbplan=_plan(entries, "kbplan"),
-        tests={
-            code: tuple(_test(test) for test in each(one, "tests")) for code, one in speech.items()
-        },
+        tests=_filled(
+            {code: tuple(map(_test, each(one, "tests"))) for code, one in speech.items()}
+        ),
         note=_text(entries, "note"),
     )
+
+
+def _filled(by_language: dict[str, tuple[Said, ...]]) -> dict[str, tuple[Said, ...]]:
+    """Return it without the languages in which nothing is said, as the database gives it."""
+    return {code: rows for code, rows in by_language.items() if rows}
 
 
 def _texts(entries: Mapping[str, Value], key: str) -> tuple[str, ...]:
@@ -175,7 +181,7 @@ def _intent_lines(intent: Intent) -> list[str]:
     if intent.note:
         lines.append(f"  note: {scalar(intent.note)}")
     for code in LANGUAGES:
-        if code in intent.triggers:
+        if any(code in said for said in (intent.triggers, intent.plan_sentences, intent.tests)):
             lines += _speech_lines(intent, code)
     return lines
 

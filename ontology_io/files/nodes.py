@@ -79,9 +79,11 @@ class Value:
         return self.content
 
     def items(self) -> list["Value"]:
-        """Return the values of a list."""
+        """Return the values of a list; nothing written after the key is an empty one."""
         if isinstance(self.content, list):
             return self.content
+        if self.content == "":
+            return []
         self.problems.add(self.line, "Write a list here, e.g. [Tea, Milk].")
         return []
 
@@ -91,6 +93,8 @@ class Value:
 
     def entries(self) -> dict[str, "Value"]:
         """Return the values of a mapping by key; a key written twice is a problem."""
+        if self.content == "":
+            return {}
         if not isinstance(self.content, tuple):
             self.problems.add(self.line, "Write a mapping here, e.g. {name: tea}.")
             return {}
@@ -120,6 +124,9 @@ def parse(text: str, problems: Problems, sections: Iterable[str]) -> Mapping[str
     """Return the top entries of a file; a syntax error is one problem with its line."""
     try:
         root = _root(text, problems)
+    except _RefusedError as error:
+        problems.add(*error.args)
+        return NO_ENTRY
     except yaml.MarkedYAMLError as error:
         mark = error.problem_mark
         problems.add(mark.line + 1 if mark else 1, f"This is no YAML: {error.problem}.")
@@ -138,8 +145,8 @@ def _root(text: str, problems: Problems) -> Value | None:
     """
     opened: list[tuple[int, list[Value]]] = [(1, [])]
     for event in yaml.parse(text, Loader=_LOADER):
-        line = event.start_mark.line + 1
-        _refuse(event, len(opened))
+        line = event.start_mark.line + 1 if event.start_mark else 1
+        _refuse(event, len(opened), line)
         if isinstance(event, yaml.ScalarEvent):
             opened[-1][1].append(Value(event.value, line, problems))
         elif isinstance(event, yaml.CollectionStartEvent):
@@ -155,15 +162,17 @@ def _root(text: str, problems: Problems) -> Value | None:
     return roots[0] if roots else None
 
 
-def _refuse(event: yaml.Event, depth: int) -> None:
+def _refuse(event: yaml.Event, depth: int, line: int) -> None:
     """Stop at what a file of content never holds and what could be used to exhaust memory."""
-    message = ""
     if isinstance(event, yaml.NodeEvent) and event.anchor is not None:
-        message = f"&{event.anchor} and *{event.anchor} are not allowed, write the text out"
-    elif depth > DEEPEST:
-        message = f"lists and mappings stand in one another more than {DEEPEST} deep"
-    if message:
-        raise yaml.MarkedYAMLError(problem=message, problem_mark=event.start_mark)
+        name = event.anchor
+        raise _RefusedError(line, f"&{name} and *{name} cannot be used; write the text out.")
+    if depth > DEEPEST:
+        raise _RefusedError(line, f"Lists and mappings stand more than {DEEPEST} deep here.")
+
+
+class _RefusedError(Exception):
+    """What YAML allows and this format does not: the line, and why."""
 
 
 def each(entries: Mapping[str, Value], key: str) -> Iterator[Value]:

@@ -72,9 +72,10 @@ def _add(ledger: Ledger, cells: list[str]) -> None:
 def write_ledger(
     numbers: Mapping[str, Iterable[tuple[str, int, int]]], last: Mapping[str, int]
 ) -> str:
-    """Return the text of a ledger: for each kind rows of key, number and slot (-1: none)."""
+    """Return the text of a ledger: for each kind rows of key, number (0: none) and slot (-1)."""
     rows = [f"{LAST}\t{kind}\t{last[kind]}" for kind in KINDS]
     for kind in KINDS:
         for key, number, slot in sorted(numbers[kind], key=lambda row: row[1]):
-            rows.append(f"{kind}\t{key}\t{number}" + (f"\t{slot}" if slot >= 0 else ""))
+            if number:
+                rows.append(f"{kind}\t{key}\t{number}" + (f"\t{slot}" if slot >= 0 else ""))
     return "\n".join(rows) + "\n"

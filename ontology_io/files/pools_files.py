@@ -55,6 +55,8 @@ def read_pools(text: str, problems: Problems) -> dict[str, tuple[Frame, ...]]:
         name = entries["id"].text() if "id" in entries else ""
         if name not in POOLS:
             problems.add(value.line, f"{name!r} is no pool; use {', '.join(POOLS)}.")
+        if name in pools:
+            problems.add(value.line, f"The pool {name} stands in this file twice.")
         lines = entries["s"].entries() if "s" in entries else {}
         pools[name] = tuple(_frame(name, local, line) for local, line in lines.items())
     return pools

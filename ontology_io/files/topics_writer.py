@@ -13,7 +13,9 @@ def write_topics(
     topics = tuple(topics)
     inner = [topic for topic in topics if topic.key in classes]
     leaves = [topic for topic in topics if topic.key not in classes]
-    parts = ["classes:", *(_class(topic, cultures) for topic in inner)]
+    parts: list[str] = []
+    if inner:
+        parts += ["classes:", *(_class(topic, cultures) for topic in inner)]
     if leaves:
         parts += ["leaves:", *(_leaf(topic, cultures) for topic in leaves)]
     lines = [_line(topic, frame) for topic in leaves for frame in topic.frames]

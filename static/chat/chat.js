@@ -28,6 +28,8 @@ const tagOf = (code) => languages.find((one) => one.code === code)?.tag ?? code;
 const ownNameOf = (code) => languages.find((one) => one.code === code)?.own_name ?? code;
 const cultureName = (culture) => culture?.names?.[language] ?? culture?.names?.en ?? culture?.code ?? "";
 
+const capital = (text) => text.charAt(0).toLocaleUpperCase(tagOf(language)) + text.slice(1);
+
 function preferredLanguage() {
   const wished = (navigator.languages ?? []).map((tag) => tag.split("-")[0]);
   const known = languages.map((one) => one.code);
@@ -66,7 +68,7 @@ function showWelcome() {
 
 function showCultures(chosen) {
   const pill = (culture) =>
-    bubbles.pill({ group: "culture", value: culture.code, text: cultureName(culture), checked: culture.code === chosen });
+    bubbles.pill({ group: "culture", value: culture.code, text: capital(cultureName(culture)), checked: culture.code === chosen });
   byId("culture-pills").replaceChildren(...cultures.map(pill));
 }
 

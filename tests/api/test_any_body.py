@@ -39,7 +39,7 @@ FIELDS = {
     "intent": ANYTHING | st.text(),
 }
 QUICK = settings(
-    max_examples=150,
+    max_examples=300,
     deadline=None,
     suppress_health_check=[HealthCheck.function_scoped_fixture, HealthCheck.too_slow],
 )

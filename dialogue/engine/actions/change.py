@@ -11,6 +11,7 @@ def change(turn: Turn, parameters: Mapping[str, str | None]) -> bool:
     """Go to another branch of the tree."""
     if not turn.heard.plan_said:
         turn.announced = say_from_pool(turn, "change_asked")
+    turn.moving = True
     turn.change(ordering="", noes=2)
     carry_on(turn)
     return True

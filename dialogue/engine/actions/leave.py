@@ -22,6 +22,7 @@ def leave(turn: Turn, parameters: Mapping[str, str | None]) -> bool:
         turn.note("leave", f"{node.key} stays out for {STAY_OUT} turns.")
     current = turn.node
     if node is None or (current and node.branch == current.branch):
+        turn.moving = True
         turn.change(ordering="", noes=2)
     carry_on(turn)
     return True

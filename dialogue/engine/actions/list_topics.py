@@ -10,12 +10,12 @@ HOW_MANY = 3
 
 
 def list_topics(turn: Turn, parameters: Mapping[str, str | None]) -> bool:
-    """Name a few topics the person may like and leave the choice to them."""
+    """Name a few topics of different branches and leave the choice to the person."""
     names: dict[int, str] = {}
-    for _ in range(3 * HOW_MANY):
+    for _ in range(4 * HOW_MANY):
         step = far_topic(turn, turn.node)
         if step and len(names) < HOW_MANY:
-            names[step.node.number] = step.node.names[turn.state.language].forms[""]
+            names.setdefault(step.node.branch, step.node.names[turn.state.language].forms[""])
     if not names:
         return False
     joined = turn.language.listed(tuple(names.values()))

@@ -6,7 +6,7 @@ from dialogue.engine.find_topic import named_topic
 from dialogue.engine.flow import begin
 from dialogue.engine.saying import say_from_pool
 from dialogue.engine.turn import Turn
-from dialogue.engine.wishes import is_personal, stay_with
+from dialogue.engine.wishes import LONGEST_WISH, is_personal, stay_with
 
 
 def opinion(turn: Turn, parameters: Mapping[str, str | None]) -> bool:
@@ -14,6 +14,8 @@ def opinion(turn: Turn, parameters: Mapping[str, str | None]) -> bool:
     words = parameters.get("topic") or ""
     node = named_topic(turn, words) if words else turn.node
     if node is None or is_personal(turn, words):
+        if not 0 < len(words.strip()) <= LONGEST_WISH:
+            return False  # "If you ask me" would be all there is to say.
         said = say_from_pool(turn, "opinion")
         return stay_with(turn, words, "q") or said
     turn.change(siblings=0, noes=0)

@@ -7,7 +7,7 @@ from pathlib import Path
 from django.core.management.base import BaseCommand, CommandError
 
 from ontology_io.check import check_base
-from ontology_io.files.folder import NUMBERS, folder_texts, read_folder
+from ontology_io.files.folder import NUMBERS, folder_texts, read_folder, without_number
 from ontology_io.files.nodes import ContentError
 
 
@@ -28,9 +28,15 @@ class Command(BaseCommand):
         errors = [finding for finding in found if finding.error]
         for finding in found:
             self.stdout.write(finding.with_place(folder.places))
+        missing = without_number(folder.base)
+        if missing:
+            raise CommandError(
+                f"{path.name}/{NUMBERS} lacks {len(missing)} numbers, first of {missing[0]}: "
+                "run `make content` and commit what it changes."
+            )
         for name in sorted(_not_canonical(path, folder_texts(folder.base, folder.last))):
             raise CommandError(
-                f"{path.name}/{name} is not in the canonical form, or numbers are missing: "
+                f"{path.name}/{name} is not in the canonical form: "
                 "run `make content` and commit what it changes."
             )
         topics = folder.base.knowledge.topics

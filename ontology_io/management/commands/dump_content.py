@@ -3,7 +3,7 @@
 from argparse import ArgumentParser
 from pathlib import Path
 
-from django.core.management.base import BaseCommand
+from django.core.management.base import BaseCommand, CommandError
 
 from ontology_io.files.folder import write_folder
 from ontology_io.numbering import last_numbers
@@ -17,5 +17,8 @@ class Command(BaseCommand):
         parser.add_argument("folder", nargs="?", default="content", type=Path)
 
     def handle(self, *args: object, **options: object) -> None:
-        changed = write_folder(Path(str(options["folder"])), read_base(), last_numbers())
+        base = read_base()
+        if not base.knowledge.topics:
+            raise CommandError("The draft is empty: nothing was written. Run load_content first.")
+        changed = write_folder(Path(str(options["folder"])), base, last_numbers())
         self.stdout.write(f"Changed: {', '.join(changed)}" if changed else "Nothing changed.")

@@ -32,8 +32,8 @@ def node(key: str) -> Node:
 def mrs_smith(topic: str = "", **fields: object) -> DialogueState:
     """Return the state of a talk that has got to a topic."""
     started = {"topic": NUMBERS[topic], "topics": (NUMBERS[topic],)} if topic else {}
-    given = {"language": "en", "culture": "EN", "seed": 7, "turn": 5, **started, **fields}
-    return DialogueState(**given)  # type: ignore[arg-type]
+    usual = {"language": "en", "culture": "EN", "seed": 7, "turn": 5, "last_type": "c"}
+    return DialogueState(**{**usual, **started, **fields})  # type: ignore[arg-type]
 
 
 def hear(state: DialogueState, sentence: str, *actions: Action, **more: object) -> Reply:

@@ -10,7 +10,15 @@ from dialogue.engine.flow import PROPOSE, announce, begin, carry_on, enter
 from dialogue.engine.next_topic import Step
 from dialogue.engine.turn import Turn
 from tests.engine.dialogue.talk import mrs_smith, node, turn_in
-from tests.engine.dialogue.world import KNOWLEDGE, LIBRARY, NUMBERS, changed, without_topics
+from tests.engine.dialogue.world import (
+    KNOWLEDGE,
+    LIBRARY,
+    NUMBERS,
+    WORLD,
+    changed,
+    with_pool,
+    without_topics,
+)
 
 TEA, PIANO = NUMBERS["Tea"], NUMBERS["Piano"]
 
@@ -177,7 +185,7 @@ def test_topics_with_nothing_to_say_are_passed_through():
 
 def announced(old: str, way: str, *, chance: float) -> list[str]:
     turn = turn_in(mrs_smith(), chance=chance)
-    announce(turn, node(old) if old else None, Step(node("Piano"), way))
+    announce(turn, node(old), Step(node("Piano"), way))
     return turn.parts
 
 
@@ -191,9 +199,37 @@ def test_without_a_transition_of_its_own_the_pool_speaks():
     assert announced("Festivals", "link", chance=0.0) == ["From festivals to the piano."]
 
 
-@pytest.mark.parametrize(("old", "way"), [("Tea", "far"), ("", "far"), ("Grief", "sibling")])
+@pytest.mark.parametrize(("old", "way"), [("Tea", "far"), ("Grief", "sibling")])
 def test_a_far_change_or_one_from_grief_does_not_name_the_old_topic(old, way):
     assert announced(old, way, chance=0.0) == ["Let us turn to the piano."]
+
+
+def test_the_first_topic_of_a_talk_is_announced_as_such():
+    turn = turn_in(mrs_smith())
+    announce(turn, None, Step(node("Piano"), "far"))
+    assert turn.parts == ["Shall we begin with the piano?"]
+
+
+def test_a_hard_subject_is_heard_before_it_is_asked_about():
+    content = build_content(changed("Grief", pattern=("w c",)), LIBRARY)
+    turn = turn_in(mrs_smith(), content=content)
+    begin(turn, content.tree.by_key["Funerals"])
+    assert (kinds(turn), turn.state.ordering) == (["c"], "wc")
+
+
+def test_after_a_hard_subject_the_person_says_how_to_go_on():
+    turn = turn_in(mrs_smith("Grief"))
+    carry_on(turn)
+    assert kinds(turn) == ["initiative"]
+    assert turn.state.topic == NUMBERS["Grief"]
+
+
+@pytest.mark.parametrize(("last_type", "content"), [("e", WORLD), ("c", with_pool("initiative"))])
+def test_who_was_asked_and_names_nothing_is_led_on(last_type, content):
+    turn = turn_in(mrs_smith("Grief", last_type=last_type), content=content)
+    carry_on(turn)
+    assert turn.node is not None
+    assert not turn.node.gentle
 
 
 def test_a_change_that_was_announced_already_is_not_announced_again():
@@ -215,4 +251,4 @@ def test_a_topic_that_is_gone_is_completed():
     turn = turn_in(mrs_smith("Gardening", ordering="wc"), content=content)
     carry_on(turn)
     assert turn.node is not None
-    assert kinds(turn)[0] == "change"
+    assert kinds(turn)[0] == "begin"

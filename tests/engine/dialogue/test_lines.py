@@ -1,6 +1,10 @@
 """Frames become lines: templates in each language, and the activity of a proposal."""
 
+from contextlib import suppress
+
 import pytest
+from hypothesis import given
+from hypothesis import strategies as some
 
 from dialogue.engine.concepts import Frame
 from dialogue.engine.lines import ProposalError, compile_line, parse_proposal
@@ -36,6 +40,12 @@ def test_a_proposal_may_have_no_parameters():
 def test_a_proposal_is_compiled_for_its_frame():
     line = compile_line(Frame(key="Music.g1", type="g", texts={"en": "Music?"}, do="wave"), 3)
     assert line.proposal == parse_proposal("wave")
+
+
+@given(some.text("ab= $.{}\n", max_size=60))
+def test_whatever_an_expert_writes_is_read_or_refused(text):
+    with suppress(ValueError):
+        assert parse_proposal(text).intent.isidentifier()
 
 
 @pytest.mark.parametrize("text", ["", "   ", "play-song title=x", "=x"])

@@ -1,15 +1,16 @@
 """The Dialogue Manager, line by line of Algorithm 1 in the paper."""
 
+import msgspec
 import pytest
 
 from dialogue.engine.content import build_content
 from dialogue.engine.manager import start
 from tests.engine.dialogue.talk import act, hear, kinds_said, lines_said, mrs_smith, node, rules
 from tests.engine.dialogue.world import (
+    KNOWLEDGE,
     LIBRARY,
     NUMBERS,
     WORLD,
-    changed,
     with_pool,
     without_topics,
 )
@@ -71,7 +72,7 @@ def test_line_16_an_unknown_action_is_passed_over():
 
 def test_lines_21_to_27_a_mentioned_topic_begins_with_its_first_type():
     before = mrs_smith("Piano", ordering="wc", last_type="c", siblings=2, noes=1, misses=1)
-    reply = hear(before, "My cat drinks milk")
+    reply = hear(before, "The cat wants milk")
     assert reply.topic == "Milk"
     assert kinds_said(before, reply) == ["opener", "q"]
     assert (reply.state.siblings, reply.state.noes, reply.state.misses) == (0, 0, 0)
@@ -79,7 +80,7 @@ def test_lines_21_to_27_a_mentioned_topic_begins_with_its_first_type():
 
 def test_after_an_open_question_a_mentioned_topic_is_acknowledged():
     before = mrs_smith("Piano", ordering="c", last_type="w")
-    reply = hear(before, "My cat drinks milk")
+    reply = hear(before, "The cat wants milk")
     assert kinds_said(before, reply) == ["acknowledge", "opener", "q"]
 
 
@@ -218,6 +219,11 @@ def test_the_person_is_heard(last_type, sentence, said):
     assert kinds_said(before, hear(before, sentence)) == said
 
 
+def test_who_speaks_of_hard_things_is_heard_in_their_tone():
+    before = mrs_smith("Grief", ordering="c", last_type="w")
+    assert kinds_said(before, hear(before, "It was long ago")) == ["gentle", "c"]
+
+
 def test_turns_that_were_not_understood_are_counted():
     before = mrs_smith("Tea", ordering="c", misses=1)
     assert hear(before, "Why is that?").state.misses == 2
@@ -231,7 +237,7 @@ def test_who_asks_for_help_hears_no_chit_chat():
     before = mrs_smith("Tea", ordering="wc", offer=5)
     reply = hear(before, "Help me", act("more"), urgent=True)
     assert kinds_said(before, reply) == ["urgent"]
-    assert (reply.state.ordering, reply.state.offer) == ("wc", 0)
+    assert (reply.topic, reply.state.ordering, reply.state.offer) == ("OnYourMind", "cwc", 0)
     assert rules(reply)[0] == "urgent"
 
 
@@ -266,15 +272,21 @@ def test_the_turn_and_the_questions_in_a_row_are_counted():
     assert hear(asked.state, "Well").state.questions == 0
 
 
-def test_a_reply_without_words_keeps_the_last_type():
-    reply = hear(mrs_smith(last_type="q"), "Forget it", act("forget"), plan_said=True)
+def test_a_reply_without_words_keeps_the_last_type_and_asks_nothing():
+    before = mrs_smith(last_type="q", questions=2)
+    reply = hear(before, "Forget it", act("forget"), plan_said=True)
     assert (reply.sentence, reply.sentence_type) == ("", "q")
+    assert reply.state.questions == 0
 
 
-def test_a_line_of_an_unknown_pool_is_a_remark():
-    before = mrs_smith(frames=(next(iter(WORLD.tree.lines)),))
-    reply = hear(before, "Goodbye", act("stop"))
-    assert reply.sentence_type == "c"
+@pytest.mark.parametrize(
+    ("pool", "last_type"), [("end", "c"), ("initiative", "e"), ("start", "e"), ("no pool", "c")]
+)
+def test_a_sentence_of_a_pool_hands_over_where_the_pool_asks(pool, last_type):
+    frame = msgspec.structs.replace(KNOWLEDGE.pools["end"][0], type=pool)
+    pools = {**KNOWLEDGE.pools, "end": (frame,)}
+    content = build_content(msgspec.structs.replace(KNOWLEDGE, pools=pools), LIBRARY)
+    assert hear(mrs_smith(), "Bye", act("stop"), content=content).sentence_type == last_type
 
 
 def test_sentences_are_joined_as_the_language_wants_it():
@@ -298,10 +310,3 @@ def test_the_answer_is_understood_in_each_language(language, culture, sentence):
     before = asked_about_tea(language=language, culture=culture)
     reply = hear(before, sentence)
     assert kinds_said(before, reply) == ["p", "w"]
-
-
-def test_a_sentence_kept_for_a_culture_is_said_there():
-    content = build_content(changed("Tea", pattern=("c",)), LIBRARY)
-    before = mrs_smith("Milk", culture="JP", language="ja")
-    said = {hear(before, "お茶", content=content).sentence for _ in range(1)}
-    assert said

@@ -5,6 +5,8 @@ from random import Random
 
 import msgspec
 import pytest
+from hypothesis import given
+from hypothesis import strategies as some
 
 from dialogue.engine.content import build_content
 from dialogue.engine.saying import (
@@ -85,6 +87,24 @@ def test_when_all_are_used_all_may_be_said_again():
     assert turn.state.used_slots(PIANO.number) == 0
 
 
+@given(
+    some.lists(some.sampled_from([one for lines in TEA.lines.values() for one in lines])),
+    some.lists(some.sampled_from([line.number for line in WORLD.tree.lines.values()]), max_size=32),
+    some.sampled_from("cwq"),
+    some.integers(0, 99),
+)
+def test_unused_comes_before_used_and_not_heard_lately_before_heard(used, heard, type_, seed):
+    state = mrs_smith("Tea", frames=tuple(heard))
+    for one in used:
+        state = state.with_used(TEA.number, one.slot)
+    turn = turn_in(state)
+    turn.chance = Random(seed)
+    lines = sayable(turn, TEA, type_)
+    unused = [one for one in lines if one not in used] or lines
+    fresh = [one for one in unused if one.number not in heard] or unused
+    assert not lines or choose(turn, TEA, lines) in fresh
+
+
 def test_own_sentences_come_more_often_than_those_of_the_class():
     drawn: Counter[str] = Counter()
     for seed in range(600):
@@ -103,6 +123,16 @@ def test_sentences_of_the_class_come_before_those_from_further_up():
         turn.chance = Random(seed)
         drawn[choose(turn, green, sayable(turn, green, "c")).key] += 1
     assert 0.43 < drawn["Tea.c1"] / 600 < 0.57
+
+
+def test_what_was_written_for_this_very_grief_comes_first():
+    knowledge = changed("Grief", stop="qpng")
+    content = build_content(knowledge, LIBRARY)
+    grief = content.tree.by_key["Grief"]
+    for seed in range(20):
+        turn = turn_in(mrs_smith("Grief"), content=content)
+        turn.chance = Random(seed)
+        assert choose(turn, grief, sayable(turn, grief, "c")).owner == grief.number
 
 
 def test_the_sentence_just_heard_is_not_said_again():

@@ -60,6 +60,12 @@ _GENTLE = {
     "w1": ("How is that for you?", "E per te com'è?", "いかがお感じですか？"),
     "w2": ("What helps you then?", "Che cosa ti aiuta?", "何が支えになりますか？"),
 }
+_LISTENING = {
+    "c1": ("I am all ears.", "Sono tutto orecchi.", "よく聞いています。"),
+    "c2": ("There is no hurry.", "Non c'è fretta.", "急ぎませんよ。"),
+    "w1": ("What would you like to tell me?", "Che cosa vuoi dirmi?", "何をお話しになりますか？"),
+    "w2": ("What matters most in it?", "Che cosa conta di più?", "何が一番大切ですか？"),
+}
 _TRANSITION = {
     "t1": (
         "$hasName brings me to $toName.",
@@ -201,7 +207,7 @@ TOPICS = (
         "Life",
         "what is on your mind/m pensiero/お気持ち",
         keywords={},
-        frames=frames("OnYourMind", _GENTLE),
+        frames=frames("OnYourMind", _LISTENING),
         **_GENTLE_WORDS,
     ),
     topic("Gardening", "Life", "gardening/m giardinaggio/園芸"),
@@ -268,10 +274,10 @@ KNOWLEDGE = numbered(
 WORLD = build_content(KNOWLEDGE, LIBRARY, 1)
 
 
-def changed(key: str, **fields: object) -> Knowledge:
+def changed(topic_key: str, **fields: object) -> Knowledge:
     """Return the world's knowledge with one topic changed, frames numbered anew."""
     topics = tuple(
-        msgspec.structs.replace(one, **fields) if one.key == key else one
+        msgspec.structs.replace(one, **fields) if one.key == topic_key else one
         for one in KNOWLEDGE.topics
     )
     return numbered(msgspec.structs.replace(KNOWLEDGE, topics=topics))

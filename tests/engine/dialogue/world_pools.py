@@ -31,6 +31,16 @@ _TABLE = {
         "Ancora $toName.|Di nuovo $toName.",
         "また$toNameです。|$toNameに戻ります。",
     ),
+    "begin": (
+        "Shall we begin with $toName?|First, $toName.",
+        "Cominciamo: $toName.|Per prima cosa, $toName.",
+        "まず$toNameです。|$toNameから始めます。",
+    ),
+    "gentle": (
+        "I hear you.|Take your time.",
+        "Ti sento.|Fai con calma.",
+        "お聞きしています。|ごゆっくりどうぞ。",
+    ),
     "transition": (
         "From $hasName to $toName.|After $hasName, $toName.",
         "$hasName.da $toName.a.|Dopo $hasName, $toName.",

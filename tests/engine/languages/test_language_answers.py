@@ -1,6 +1,5 @@
 """What an answer to a yes/no question says, by a list of real ones."""
 
-import time
 from pathlib import Path
 
 import pytest
@@ -9,6 +8,7 @@ from hypothesis import strategies as some
 
 from languages.known import LANGUAGES
 from languages.language import Attitude
+from tests.engine.growth import grows_like_a_line
 
 
 def listed_answers() -> list[tuple[str, str, str]]:
@@ -36,6 +36,5 @@ def test_any_text_has_an_attitude(sentence: str, language: str) -> None:
     "piece", ["non ", "I don't like it ", "あまり好き", "yes, ", "mi piace ma "]
 )
 def test_a_very_long_answer_is_read_quickly(language: str, piece: str) -> None:
-    start = time.perf_counter()
-    LANGUAGES[language].attitude(piece * 5_000)
-    assert time.perf_counter() - start < 1
+    attitude = LANGUAGES[language].attitude
+    assert grows_like_a_line(lambda size: attitude(piece * size), 1_000)

@@ -110,7 +110,7 @@ def test_a_word_is_among_its_forms(word: str, language: str) -> None:
         ("it", "Il mio cane e io sono felici", "Il tuo cane e tu sei felici"),
         ("it", "i miei figli", "i tuoi figli"),
         ("it", "chi m'ama", "chi t'ama"),
-        ("ja", "私の妻の春子", "奥様の春子"),
+        ("ja", "私の妻の春子", "奥様の春子さん"),
         ("ja", "うちの孫ちゃん", "お孫さん"),
         ("ja", "亡くなった主人", "亡くなったご主人"),
         ("ja", "お母さんと母国", "お母さんと母国"),

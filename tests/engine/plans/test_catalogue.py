@@ -1,7 +1,6 @@
 """Matching: whole sentences, skip words, slots, ranking, refusals and linear time."""
 
 from random import Random
-from time import perf_counter
 
 import msgspec
 import pytest
@@ -11,6 +10,7 @@ from hypothesis import strategies as st
 from plans.engine.catalogue import LibraryError, compile_catalogue
 from plans.engine.intents import Intent, Library, Phrase, Slot
 from plans.engine.patterns import parse_pattern, sample
+from tests.engine.growth import grows_like_a_line
 from plans.engine.plan_text import parse_plan
 from plans.engine.wordings import wordings
 from tests.engine.plans.worlds import LIBRARY, LIKES, PLAYSONG, robot
@@ -134,10 +134,10 @@ def test_a_hostile_trigger_and_sentence_take_linear_time(trigger: str) -> None:
     slots = (Slot(name="x"), Slot(name="y"))
     intent = Intent(number=1, key="a", slots=slots, triggers={"en": (trigger,)}, plan_sentences={})
     catalogue = compile_catalogue(Library(intents=(intent,)))
-    started = perf_counter()
-    for sentence in ("a " * 58 + "c", "a " * 30 + "b " * 28 + "d c", "a " * 50_000 + "c"):
-        catalogue.match(sentence, "en")
-    assert perf_counter() - started < 1.0
+    catalogue.match("a " * 58 + "c", "en")
+    assert grows_like_a_line(lambda size: catalogue.match("a " * size + "c", "en"), 7)
+    assert grows_like_a_line(lambda size: catalogue.match("a b " * size + "d c", "en"), 3)
+    assert grows_like_a_line(lambda size: catalogue.match("a " * size + "c", "en"), 1_000)
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,7 @@
 """more: the person wants to stay with the topic."""
 
+from itertools import pairwise
+
 from tests.engine.dialogue.talk import act, hear, kinds_said, mrs_smith
 
 
@@ -15,7 +17,7 @@ def test_however_often_it_is_asked_for_no_remark_comes_twice_in_a_row():
     for _ in range(10):
         said.append(reply.sentence)
         reply = hear(reply.state, "More", act("more"))
-    assert all(one != other for one, other in zip(said, said[1:], strict=False))
+    assert all(one != other for one, other in pairwise(said))
 
 
 def test_before_any_topic_one_begins():

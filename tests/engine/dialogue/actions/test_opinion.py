@@ -1,5 +1,7 @@
 """opinion: the person asks what the agent thinks of something."""
 
+import pytest
+
 from tests.engine.dialogue.talk import act, hear, kinds_said, mrs_smith
 
 
@@ -31,7 +33,8 @@ def test_the_agent_has_no_opinion_of_the_persons_own():
     assert "your milk" in reply.sentence
 
 
-def test_before_any_topic_the_agent_still_says_something():
+@pytest.mark.parametrize("words", [None, "  ", "submarines " * 10])
+def test_where_there_is_nothing_to_have_an_opinion_of_the_talk_goes_on(words):
     before = mrs_smith()
-    reply = hear(before, "What do you think?", act("opinion"))
-    assert kinds_said(before, reply)[0] == "opinion"
+    reply = hear(before, "What do you think?", act("opinion", topic=words))
+    assert kinds_said(before, reply) == ["not_understood", "begin", "q"]
