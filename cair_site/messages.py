@@ -16,7 +16,9 @@ from cair_site.errors import ApiError
 
 DEFLATE, GZIP = "deflate", "gzip"
 MOST_DIGITS = 12  # of a Content-Length
-_BRACKETS = re.compile(rb'"(?:[^"\\]|\\.)*"?|[\[\]{}]', re.DOTALL)
+# Possessive: nothing is tried twice, so nothing is remembered, however long a text is.
+_TEXTS = re.compile(rb'"(?:[^"\\]++|\\.)*+"?', re.DOTALL)
+_NO_BRACKETS = bytes(set(range(256)) - set(b"[]{}"))
 
 
 class Readable(Protocol):
@@ -106,13 +108,10 @@ def too_deep(body: bytes, deepest: int) -> bool:
     if body.count(b"[") + body.count(b"{") <= deepest:
         return False
     depth = 0
-    for found in _BRACKETS.finditer(body):
-        if found[0] in (b"[", b"{"):
-            depth += 1
-            if depth > deepest:
-                return True
-        elif found[0] in (b"]", b"}"):
-            depth -= 1
+    for bracket in _TEXTS.sub(b"", body).translate(None, _NO_BRACKETS):
+        depth += 1 if bracket in b"[{" else -1
+        if depth > deepest:
+            return True
     return False
 
 

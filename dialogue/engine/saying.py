@@ -53,13 +53,15 @@ def sayable(turn: Turn, node: Node, type_: str) -> list[Line]:
 def _just_said(turn: Turn, node: Node, line: Line) -> bool:
     """Say whether the person heard this very sentence last: it must not come twice in a row."""
     since_last_turn = turn.state.frames[-1 - len(turn.parts) :]
-    return line.number in since_last_turn and turn.state.has_used(node.number, line.slot)
+    if line.number not in since_last_turn:
+        return False
+    return line.slot < 0 or turn.state.has_used(node.number, line.slot)
 
 
 def choose(turn: Turn, node: Node, lines: Sequence[Line]) -> Line:
     """Return one line: unused before used, not heard lately before heard, own before inherited."""
     used = turn.state.used_slots(node.number)
-    unused = [line for line in lines if not used >> line.slot & 1]
+    unused = [line for line in lines if line.slot < 0 or not used >> line.slot & 1]
     if not unused:
         mask = sum(1 << line.slot for line in lines)
         turn.state = turn.state.without_used(node.number, mask)
@@ -109,7 +111,8 @@ def _say_about(turn: Turn, node: Node, line: Line, names: Mapping[str, NameForms
     variables = node.variables.get(turn.state.language, NO_WORDS)
     if not _speak(turn, line, names, variables):
         return False
-    turn.state = turn.state.with_used(node.number, line.slot)
+    if line.slot >= 0:  # In a draft new sentences have none yet.
+        turn.state = turn.state.with_used(node.number, line.slot)
     turn.note("say", f"{line.key} ({SENTENCE_TYPES[line.type].name}) about {node.key}")
     return True
 

@@ -7,6 +7,7 @@ import zlib
 import pytest
 from pytest_django.fixtures import Settings
 
+from cair_site.messages import too_deep
 from tests.api.conftest import Api
 
 
@@ -79,3 +80,14 @@ def test_the_history_of_old_clients_does_not_outgrow_the_limit(api: Api) -> None
     kept = api.client.generic("PUT", "/CAIR_hub", body).json()["dialogue_state"]
     assert len(kept["conversation_history"]) == 200
     assert kept["conversation_history"][-1] == ["user", "999"]
+
+
+@pytest.mark.parametrize(
+    "piece", [b'"' + b"a" * 390_000, b'"\\' * 190_000, b'"' * 390_000, b"[]" * 190_000]
+)
+def test_looking_for_depth_costs_little(piece: bytes) -> None:
+    tracemalloc.start()
+    assert not too_deep(b"[]" * 30 + piece, 20)
+    peak = tracemalloc.get_traced_memory()[1]
+    tracemalloc.stop()
+    assert peak < 20_000_000

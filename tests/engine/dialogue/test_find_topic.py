@@ -35,6 +35,15 @@ def test_a_hard_subject_comes_before_all_others():
     assert meant("After the funerals we had milk and green tea") == "Funerals"
 
 
+def test_two_keywords_beat_one_whatever_chance_says():
+    for seed in range(20):
+        turn = turn_in(mrs_smith())
+        turn.chance = Random(seed)
+        found = topic_of_sentence(turn, "there is green in the tea")
+        assert found is not None
+        assert found.key == "GreenTea"
+
+
 def test_of_equal_matches_the_likelier_is_drawn_more_often():
     state = mrs_smith().with_likeliness(NUMBERS["Tea"], 1.0).with_likeliness(NUMBERS["Milk"], 0.0)
     knowledge = changed("Milk", keywords={"en": (("tea",), ("*",))})
@@ -66,12 +75,13 @@ def test_a_name_said_alone_means_its_topic():
     assert found.key == "TeaCeremony"
 
 
-def test_of_two_topics_of_one_name_the_likelier_is_meant():
+@pytest.mark.parametrize("liked", ["Milk", "Coffee"])
+def test_of_two_topics_of_one_name_the_likelier_is_meant(liked):
     content = build_content(changed("Milk", names=KNOWLEDGE.topics[5].names), LIBRARY)
-    likes_milk = mrs_smith().with_likeliness(NUMBERS["Milk"], 1.0)
-    found = topic_called(turn_in(likes_milk, content=content), "coffee")
+    likes_it = mrs_smith().with_likeliness(NUMBERS[liked], 1.0)
+    found = topic_called(turn_in(likes_it, content=content), "coffee")
     assert found is not None
-    assert found.key == "Milk"
+    assert found.key == liked
 
 
 @pytest.mark.parametrize("words", ["GreenTea", "green_tea", " green tea ", "some Green tea"])

@@ -4,6 +4,7 @@ from random import Random
 
 import pytest
 
+from dialogue.engine.content import build_content
 from dialogue.engine.next_topic import (
     ALREADY_COVERED,
     MOST_SIBLINGS,
@@ -13,7 +14,7 @@ from dialogue.engine.next_topic import (
 )
 from dialogue.engine.state import DialogueState
 from tests.engine.dialogue.talk import mrs_smith, node, turn_in
-from tests.engine.dialogue.world import NUMBERS, without_topics
+from tests.engine.dialogue.world import LIBRARY, NUMBERS, changed, without_topics
 
 
 def steps(topic: str, **fields: object) -> set[tuple[str, str]]:
@@ -101,6 +102,14 @@ def test_a_refused_topic_is_not_proposed():
     refused = mrs_smith("Milk").with_likeliness(NUMBERS["Coffee"], 0.0)
     found = steps("Milk", levels=refused.levels)
     assert "Coffee" not in {key for _, key in found}
+
+
+def test_a_topic_nearly_unknown_in_the_culture_is_not_proposed():
+    content = build_content(changed("Coffee", likeliness={"EN": 0.04}), LIBRARY)
+    turn = turn_in(mrs_smith("Milk", avoided=((NUMBERS["Tea"], 99),)), content=content, chance=0.9)
+    step = next_topic(turn, turn.node)
+    assert step is not None
+    assert (step.way, step.node.key) != ("sibling", "Coffee")
 
 
 def test_an_avoided_branch_stays_out_until_its_turn_has_come():

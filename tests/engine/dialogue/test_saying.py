@@ -144,6 +144,18 @@ def test_the_sentence_just_heard_is_not_said_again():
     assert "Tea.c1" not in keys(sayable(turn, TEA, "c"))
 
 
+def test_a_new_sentence_of_a_draft_can_be_said_before_it_has_its_slot():
+    new = msgspec.structs.replace(KNOWLEDGE.topics[2].frames[0], slot=-1)
+    tea_draft = msgspec.structs.replace(KNOWLEDGE.topics[2], frames=(new,), stop="c")
+    topics = tuple(tea_draft if one.key == "Tea" else one for one in KNOWLEDGE.topics)
+    content = build_content(msgspec.structs.replace(KNOWLEDGE, topics=topics), LIBRARY)
+    turn = turn_in(mrs_smith("Tea"), content=content)
+    tea = content.tree.by_key["Tea"]
+    assert say_of_type(turn, tea, "c")
+    assert (turn.parts, turn.state.used) == (["Tea warms the hands."], ())
+    assert sayable(turn, tea, "c") == []
+
+
 def test_the_only_remark_is_skipped_rather_than_said_twice():
     knowledge = changed("Grief", frames=KNOWLEDGE.topics[13].frames[1:2])
     content = build_content(knowledge, LIBRARY)

@@ -71,6 +71,16 @@ def test_a_class_that_is_borrowed_from_and_lies_above_hides_no_other():
     assert sorted(missing_slots(knowledge).values()) == [0, 1, 2, 3]
 
 
+def test_a_new_sentence_avoids_what_a_topic_below_borrows():
+    herb = msgspec.structs.replace(frames(3, 1)[0], slot=0)
+    topics = (
+        Topic(key="Tea", is_a=ROOT, number=1, frames=frames(1, 1)),
+        Topic(key="MintTea", is_a="Tea", number=2, also=("Herb",)),
+        Topic(key="Herb", is_a=ROOT, number=3, frames=(herb,)),
+    )
+    assert missing_slots(Knowledge(topics=topics)) == {1: 1}
+
+
 def test_a_circle_or_an_unknown_parent_does_not_hang():
     topics = (
         Topic(key="Tea", is_a="Milk", number=1, frames=frames(1, 1)),

@@ -147,22 +147,22 @@ def test_a_state_that_has_been_away_goes_on_with_the_same_talk():
     assert hear(back, "Yes").sentence == hear(answer.state, "Yes").sentence
 
 
-def test_numbers_that_are_gone_are_ignored():
-    """Old topics, frames, links, offers and refusals name numbers that no content has."""
+def a_state_of_long_ago() -> DialogueState:
+    """Return a state that names a topic, frames, a refusal and an offer no content has."""
     state = mrs_smith(
-        topic="",
         ordering="qrwc",
         last_type="q",
         frames=(999_998, 999_999),
-        topics=(5_000, NUMBERS["Gardening"]),
         avoided=((5_001, 99),),
         offer=999_999,
     )
     state = state.with_likeliness(5_000, 1.0).with_used(5_000, 99)
-    old = DialogueState(
-        **{name: getattr(state, name) for name in state.__slots__} | {"topic": 5_000}
-    )
-    answer = hear(old, "Yes", content=without_topics("Gardening", "Singing"))
+    return state.with_topic_started(NUMBERS["Gardening"]).with_topic_started(5_000)
+
+
+def test_numbers_that_are_gone_are_ignored():
+    content = without_topics("Gardening", "Singing")
+    answer = hear(a_state_of_long_ago(), "Yes", content=content)
     assert answer.sentence
     assert answer.topic in NUMBERS
     assert decode(encode(answer.state, KEY), KEY) == answer.state

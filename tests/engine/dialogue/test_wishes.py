@@ -30,17 +30,18 @@ def test_someones_own_is_personal(language, words, personal):
     ],
 )
 def test_the_person_hears_their_own_words(start, sentence):
-    turn = turn_in(mrs_smith("Tea"))
+    turn = turn_in(mrs_smith("Tea", noes=2, siblings=2))
     assert stay_with(turn, " my wife  Margaret ", start)
     assert turn.parts == [sentence]
     assert turn.state.topic == NUMBERS["OnYourMind"]
     assert turn.state.ordering == "cwc"
+    assert (turn.state.noes, turn.state.siblings) == (0, 0)
 
 
 def test_what_they_dislike_is_followed_by_a_remark_and_a_question():
     turn = turn_in(mrs_smith("Tea"))
     assert stay_with(turn, "submarines", "n")
-    assert turn.parts == ["Not submarines, I hear.", "I am with you."]
+    assert turn.parts == ["Not submarines, I hear.", "I am all ears."]
     assert turn.state.ordering == "w"
 
 

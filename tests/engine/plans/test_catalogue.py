@@ -10,9 +10,9 @@ from hypothesis import strategies as st
 from plans.engine.catalogue import LibraryError, compile_catalogue
 from plans.engine.intents import Intent, Library, Phrase, Slot
 from plans.engine.patterns import parse_pattern, sample
-from tests.engine.growth import grows_like_a_line
 from plans.engine.plan_text import parse_plan
 from plans.engine.wordings import wordings
+from tests.engine.growth import grows_like_a_line
 from tests.engine.plans.worlds import LIBRARY, LIKES, PLAYSONG, robot
 
 ROBOT = robot()

@@ -1,6 +1,7 @@
 """stop: the person wants to end the talk."""
 
-from tests.engine.dialogue.talk import act, hear, kinds_said, mrs_smith
+from dialogue.engine.actions.stop import stop
+from tests.engine.dialogue.talk import act, hear, kinds_said, mrs_smith, turn_in
 
 
 def test_the_agent_says_goodbye_and_keeps_everything():
@@ -10,6 +11,12 @@ def test_the_agent_says_goodbye_and_keeps_everything():
     assert reply.state.ended
     assert (reply.state.levels, reply.state.ordering) == (before.levels, "wc")
     assert reply.state.questions == 0
+
+
+def test_the_action_itself_ends_the_talk():
+    turn = turn_in(mrs_smith("Tea"))
+    assert stop(turn, {})
+    assert turn.state.ended
 
 
 def test_another_goodbye_is_answered_too():
