@@ -22,6 +22,7 @@ from plans.engine.manager import PlanAnswer
 INITIATIVE = "e"
 OPEN_TYPES = frozenset({"w", INITIATIVE, ""})
 WORDS_WORTH_A_NOD = 3
+DISLIKED = 0.2
 
 
 @dataclass(frozen=True, slots=True)
@@ -91,7 +92,8 @@ def _welcome(turn: Turn) -> bool:
         return False
     turn.note("welcome", "An empty sentence with a state: the person is back.")
     turn.change(ended=False, offer=0)
-    return say_from_pool(turn, "welcome_back")
+    fresh = turn.state.turn == 1 and not turn.state.topic
+    return say_from_pool(turn, "start" if fresh else "welcome_back")
 
 
 def _resume(turn: Turn) -> bool:
@@ -168,7 +170,9 @@ def _nod(turn: Turn, mentioned: Node, *, answered: bool) -> None:
         say_of_type(turn, node, turn.state.ordering[0])
     elif turn.state.last_type in OPEN_TYPES and turn.state.turn > 1:
         _say_heard(turn)
-    say_from_pool(turn, "opener", {"toName": mentioned.names[turn.state.language]})
+    learned = turn.state.likeliness(mentioned.number)
+    pool = "opener" if learned is None or learned > DISLIKED else "disliked"
+    say_from_pool(turn, pool, {"toName": mentioned.names[turn.state.language]})
 
 
 def _acknowledge(turn: Turn) -> None:

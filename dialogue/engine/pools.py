@@ -32,7 +32,7 @@ _TABLE = (
     Pool("leave", "when the person asks not to talk about something", frozenset({"hasName"})),
     Pool("change_asked", "when the person asks to change the subject"),
     Pool("not_understood", "when the person asks something that nothing matches"),
-    Pool("repair", "when the person complains that the agent did not follow"),
+    Pool("repair", "when a second question in a row was not understood"),
     Pool("wish", "when the person wants to talk about something unknown", _WISH, asks=True),
     Pool("fond", "when the person loves something unknown", _WISH, asks=True),
     Pool("averse", "when the person dislikes something unknown", _WISH),

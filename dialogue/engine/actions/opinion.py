@@ -19,5 +19,7 @@ def opinion(turn: Turn, parameters: Mapping[str, str | None]) -> bool:
         said = say_from_pool(turn, "opinion")
         return stay_with(turn, words, "q") or said
     turn.change(siblings=0, noes=0)
+    if not turn.heard.plan_said:
+        say_from_pool(turn, "opinion")
     begin(turn, node, opinion=True)
     return True

@@ -15,6 +15,9 @@ def repeat(turn: Turn, parameters: Mapping[str, str | None]) -> bool:
     if line is None or not text:
         say_from_pool(turn, "nothing_to_repeat")
         return True
+    if not turn.heard.plan_said:
+        say_from_pool(turn, "repeat")
+        turn.state = before  # What was repeated is still the last thing said.
     turn.parts.append(text)
     turn.last_line = line
     turn.note("repeat", f"{line.key} again")

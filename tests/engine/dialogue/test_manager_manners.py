@@ -5,7 +5,7 @@ import pytest
 
 from dialogue.engine.content import build_content
 from dialogue.engine.manager import start
-from tests.engine.dialogue.talk import act, hear, kinds_said, lines_said, mrs_smith, rules
+from tests.engine.dialogue.talk import act, hear, kinds_said, lines_said, mrs_smith, node, rules
 from tests.engine.dialogue.world import (
     KNOWLEDGE,
     LIBRARY,
@@ -122,3 +122,13 @@ def test_the_answer_is_understood_in_each_language(language, culture, sentence):
     before = mrs_smith("Tea", last_type="q", ordering="rwc", language=language, culture=culture)
     reply = hear(before, sentence)
     assert kinds_said(before, reply) == ["p", "w"]
+
+
+def test_a_topic_they_did_not_like_is_taken_up_with_care():
+    before = mrs_smith("Milk", ordering="w").with_likeliness(node("Tea").number, 0.1)
+    assert "disliked" in kinds_said(before, hear(before, "I had tea"))
+
+
+def test_a_first_turn_without_words_is_a_greeting():
+    before = start(WORLD, "en", "EN", 1).state
+    assert kinds_said(before, hear(before, "")) == ["start"]

@@ -8,14 +8,14 @@ from tests.engine.dialogue.talk import act, hear, kinds_said, mrs_smith
 def test_a_known_topic_is_spoken_of_without_a_yes_no_question():
     before = mrs_smith("Milk", siblings=2, noes=1)
     reply = hear(before, "What do you think of tea?", act("opinion", topic="tea"))
-    assert kinds_said(before, reply) == ["p", "w"]
+    assert kinds_said(before, reply) == ["opinion", "p", "w"]
     assert (reply.topic, reply.state.siblings, reply.state.noes) == ("Tea", 0, 0)
 
 
 def test_without_a_topic_the_current_one_is_meant():
     before = mrs_smith("Tea", ordering="c")
     reply = hear(before, "What do you think?", act("opinion", topic=None))
-    assert kinds_said(before, reply) == ["p", "w"]
+    assert kinds_said(before, reply) == ["opinion", "p", "w"]
     assert reply.topic == "Tea"
 
 
@@ -38,3 +38,9 @@ def test_where_there_is_nothing_to_have_an_opinion_of_the_talk_goes_on(words):
     before = mrs_smith()
     reply = hear(before, "What do you think?", act("opinion", topic=words))
     assert kinds_said(before, reply) == ["not_understood", "begin", "q"]
+
+
+def test_after_a_plan_sentence_the_opinion_needs_no_introduction():
+    before = mrs_smith("Milk")
+    reply = hear(before, "And tea?", act("opinion", topic="tea"), plan_said=True)
+    assert kinds_said(before, reply) == ["p", "w"]
