@@ -29,7 +29,7 @@ classes:
     p1:
       scope: below
       en: Lovely. There is always a good moment for $unit $hasName.bare.
-      it: Bello! C'è sempre un buon momento per $unit $hasName.bare.
+      it: Bello! Ci sta sempre bene $unit $hasName.bare.
       ja: いいですね。$hasNameを一杯いただくと、ほっとします。
     g1:
       do: playsong title=$hasName.bare

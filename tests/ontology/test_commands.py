@@ -143,3 +143,8 @@ def test_the_check_tells_errors_with_their_place(small_draft: Folder, small_fold
     with pytest.raises(CommandError, match="1 errors"):
         call_command("check_content", str(small_folder), stdout=output)
     assert output.getvalue().startswith("content/flower.yaml:2: D005 Flower: Its link 'Cake'")
+
+
+def test_the_check_tells_what_cannot_be_read(small_folder: Path) -> None:
+    write_files(small_folder, flower="leaves: [")
+    assert refused("check_content", small_folder).startswith("content/flower.yaml:2: This is no Y")

@@ -6,7 +6,7 @@ import msgspec
 import pytest
 
 from dialogue.engine.concepts import Topic
-from dialogue.engine.tree_order import branches, in_tree_order
+from dialogue.engine.tree_order import in_tree_order
 from ontology_io.check import check_base
 from ontology_io.files.folder import file_name, folder_texts, read_folder, write_folder
 from ontology_io.numbering import last_numbers
@@ -74,22 +74,9 @@ def test_branches_called_like_our_files_or_alike_lose_nothing(small_folder: Path
 def test_a_circle_of_topics_can_be_written(small_folder: Path) -> None:
     folder = read_folder(small_folder)
     circle = (rose(is_a="Tulip"), rose(key="Tulip", is_a="Rose"), rose(key="Elm", is_a="Tulip"))
-    assert branches(circle) == {"Rose": "Rose", "Tulip": "Rose", "Elm": "Rose"}
     knowledge = msgspec.structs.replace(folder.base.knowledge, topics=circle)
     base = msgspec.structs.replace(folder.base, knowledge=knowledge)
     assert "Tulip" in folder_texts(base, folder.last)["rose.yaml"]
-
-
-def test_topics_stand_branch_by_branch_and_classes_before_leaves() -> None:
-    topics = (
-        rose(key="Milk", is_a="Drink"),
-        rose(key="Drink"),
-        rose(key="GreenTea", is_a="Tea"),
-        rose(key="Animal"),
-        rose(key="Tea", is_a="Drink"),
-    )
-    in_order = [topic.key for topic in in_tree_order(topics)]
-    assert in_order == ["Animal", "Drink", "Tea", "Milk", "GreenTea"]
 
 
 def test_a_new_topic_is_checked_though_it_has_no_number_yet(small_folder: Path) -> None:

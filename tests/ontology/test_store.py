@@ -188,3 +188,11 @@ def test_records_survive_the_database_whole(small_draft: Folder) -> None:
     copy = msgspec.msgpack.decode(msgspec.msgpack.encode(base), type=KnowledgeBase)
     write_base(copy)
     assert read_base() == base == copy
+
+
+def test_lent_sentences_are_kept_in_order(small_draft: Folder, small_folder: Path) -> None:
+    load(small_folder, flower=FLOWER.replace("gentle: yes", "also: [Tea, Drink], gentle: yes"))
+    assert topics()["Flower"].also == ("Tea", "Drink")
+    assert "also: [Tea, Drink]" in without_numbers(read_base())["flower.yaml"]
+    load(small_folder, flower=FLOWER)
+    assert topics()["Flower"].also == ()

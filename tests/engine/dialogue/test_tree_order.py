@@ -1,50 +1,29 @@
-"""The one order of topics: branch after branch, classes before leaves."""
+"""Topics stand branch by branch, classes before leaves, else as experts put them."""
 
-from dialogue.engine.concepts import ROOT, Topic
+from dialogue.engine.concepts import Topic
 from dialogue.engine.tree_order import branches, in_tree_order
-from tests.engine.dialogue.world import TOPICS
 
 
-def topics(*pairs: str) -> tuple[Topic, ...]:
-    """Return topics from "Tea < Drinks"."""
-    return tuple(
-        Topic(key=key, is_a=above) for key, _, above in (pair.partition(" < ") for pair in pairs)
-    )
+def topics(**parents: str) -> tuple[Topic, ...]:
+    return tuple(Topic(key=key, is_a=parent) for key, parent in parents.items())
 
 
-def order(*pairs: str) -> list[str]:
-    return [topic.key for topic in in_tree_order(topics(*pairs))]
+def test_branches_come_by_name_and_classes_before_leaves() -> None:
+    found = topics(Milk="Drink", Drink="Topic", GreenTea="Tea", Animal="Topic", Tea="Drink")
+    in_order = [topic.key for topic in in_tree_order(found)]
+    assert in_order == ["Animal", "Drink", "Tea", "Milk", "GreenTea"]
 
 
-def test_classes_come_before_leaves_and_neighbours_keep_their_order():
-    assert order("Milk < Drinks", "Drinks < Food", "Food < Topic", "Coffee < Drinks") == [
-        "Drinks",
-        "Food",
-        "Milk",
-        "Coffee",
-    ]
+def test_neighbours_keep_their_order() -> None:
+    found = topics(Drink="Topic", Tea="Drink", Coffee="Drink", Beer="Drink")
+    assert in_tree_order(found) == found
 
 
-def test_branches_do_not_mix():
-    assert order("Tea < Food", "Piano < Music", "Food < Topic", "Music < Topic") == [
-        "Food",
-        "Tea",
-        "Music",
-        "Piano",
-    ]
+def test_every_topic_of_a_circle_has_a_branch() -> None:
+    circle = topics(Rose="Tulip", Tulip="Rose", Elm="Tulip")
+    assert branches(circle) == {"Rose": "Rose", "Tulip": "Rose", "Elm": "Rose"}
+    assert branches(topics(Rose="Rose")) == {"Rose": "Rose"}
 
 
-def test_each_topic_has_its_branch():
-    found = branches(TOPICS)
-    assert found["GreenTea"] == "FoodAndDrink"
-    assert found["Life"] == "Life"
-
-
-def test_an_unknown_parent_counts_as_a_branch():
-    assert branches(topics("Tea < Nowhere")) == {"Tea": "Nowhere"}
-
-
-def test_topics_in_a_circle_have_an_end():
-    found = branches(topics("Tea < Milk", "Milk < Tea", f"Music < {ROOT}"))
-    assert set(found) == {"Tea", "Milk", "Music"}
-    assert found["Music"] == "Music"
+def test_a_topic_below_an_unknown_one_belongs_to_that() -> None:
+    assert branches(topics(Rose="Flower")) == {"Rose": "Flower"}
