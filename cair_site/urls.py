@@ -10,6 +10,9 @@ from dialogue.api import DialogueViewSet
 from dialogue.topics_api import TopicViewSet
 from plans.api import ActionViewSet, IntentViewSet, PlanViewSet
 
+admin.site.site_header = admin.site.site_title = "CAIR"
+admin.site.index_title = "What the robot says"
+
 router = SimpleRouter()
 router.register("hub", HubViewSet, basename="hub")
 router.register("plan", PlanViewSet, basename="plan")

@@ -66,10 +66,14 @@ def give_slots() -> None:
 
 @transaction.atomic
 def roll_back(number: int, *, author: int | None = None) -> models.Publication:
-    """Publish an old snapshot again, as a new publication."""
+    """Publish an old snapshot again, as a new publication.
+
+    Raises NothingPublishedError where it never was, SnapshotError where it is damaged.
+    """
     old = models.Publication.objects.filter(pk=number).first()
     if old is None:
         raise NothingPublishedError(f"There is no publication {number}.")
+    unpack(bytes(old.data), old.checksum)  # A damaged one must not become the newest.
     return _store(bytes(old.data), old.counts, f"Back to {number}", author)
 
 

@@ -15,9 +15,11 @@ CONTENT = Path(__file__).resolve().parent.parent / "content"
 
 
 @pytest.fixture(autouse=True)
-def _quiet_watcher(settings: SettingsWrapper) -> None:
-    """Keep the thread that looks for newer publications from looking during tests."""
+def _settings_of_tests(settings: SettingsWrapper) -> None:
+    """Keep the thread that looks for newer publications quiet; need no collected static files."""
     settings.CAIR_POLL_SECONDS = 3600
+    plain = {"BACKEND": "django.contrib.staticfiles.storage.StaticFilesStorage"}
+    settings.STORAGES = {**settings.STORAGES, "staticfiles": plain}
 
 
 @pytest.fixture(scope="session")

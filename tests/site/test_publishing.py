@@ -142,6 +142,14 @@ def test_rolling_back_publishes_the_old_content_again(small_draft: Folder) -> No
     assert load(second.pk).tree.by_key["Milk"].names["en"].forms[""] == "warm milk"
 
 
+def test_a_damaged_publication_is_not_rolled_back_to(small_draft: Folder) -> None:
+    first = publish()
+    models.Publication.objects.filter(pk=first.pk).update(data=bytes(first.data)[:-9] + b"something")
+    with pytest.raises(SnapshotError, match="damaged"):
+        roll_back(first.pk)
+    assert models.Publication.objects.count() == 1
+
+
 def test_a_damaged_publication_is_not_served(small_draft: Folder) -> None:
     row = publish()
     models.Publication.objects.filter(pk=row.pk).update(data=bytes(row.data)[:-1] + b"x")

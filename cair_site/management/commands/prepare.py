@@ -31,7 +31,9 @@ class Command(BaseCommand):
             jobs.append(("static files", self._collect_static))
         jobs.append(("content", lambda: self._load(folder)))
         jobs.append(("administrator", self._administrator))
-        with tqdm(jobs, bar_format="{l_bar}{bar:30}| {n}/{total} [{elapsed}]", leave=False) as bar:
+        with tqdm(
+            jobs, bar_format="{l_bar}{bar:30}| {n}/{total} [{elapsed}]", leave=False, disable=None
+        ) as bar:
             for name, job in bar:
                 bar.set_description(name)
                 job()

@@ -5,6 +5,7 @@ from argparse import ArgumentParser
 from django.core.management.base import BaseCommand, CommandError
 
 from dialogue.publishing import NothingPublishedError, NotPublishableError, publish, roll_back
+from dialogue.snapshot import SnapshotError
 
 
 class Command(BaseCommand):
@@ -21,7 +22,7 @@ class Command(BaseCommand):
                 row = roll_back(number)
             else:
                 row = publish(note=str(options["note"]))
-        except (NotPublishableError, NothingPublishedError) as error:
+        except (NotPublishableError, NothingPublishedError, SnapshotError) as error:
             raise CommandError(f"Nothing was published.\n{error}") from error
         counted = ", ".join(f"{count} {name}" for name, count in row.counts.items())
         self.stdout.write(f"Publication {row.pk}: {counted}.")
