@@ -4,6 +4,7 @@ HOST ?= 127.0.0.1
 PORT ?= $(or $(CAIR_PORT),8000)
 WORKERS ?= $(shell $(PYTHON) -c "import os; print(os.cpu_count() or 2)")
 BIN := .venv/bin
+BENCH := PYTHONPATH=. $(BIN)/python benchmarks
 MANAGE := $(BIN)/python manage.py
 PURE_PYTEST := PYTHONPATH=. $(BIN)/python -m pytest -p no:django -p no:cacheprovider -c /dev/null --rootdir=. --import-mode=importlib
 
@@ -52,9 +53,11 @@ format: .venv/installed-dev ## Format the code
 	$(BIN)/ruff check --fix .
 
 bench: .venv/installed ## Figures of docs/figures.md
-	$(BIN)/python benchmarks/state_size.py
-	$(BIN)/python benchmarks/keywords.py
-	$(BIN)/python benchmarks/tree.py
+	$(BENCH)/state_size.py
+	$(BENCH)/keywords.py
+	$(BENCH)/tree.py
+	$(BENCH)/tree.py --frames-per-class 0
+	$(BENCH)/turn.py
 
 content: setup ## Load content/ into the draft and write it back: canonical form, numbers for what is new
 	$(MANAGE) load_content

@@ -136,7 +136,8 @@ def cover(content: Content, topics: int) -> DialogueState:
         state = state.with_topic_started(number)
         if chance.random() < 0.8:
             state = state.with_likeliness(number, chance.sample((0.0, 0.1, 0.6, 0.9, 1.0), 1)[0])
-        for type_ in ("q", "p", "w", "c")[: chance.randint(1, 4)]:
+        types = [type_ for type_ in ("q", "p", "w", "c") if type_ in node.lines]
+        for type_ in types[: chance.randint(1, 4)]:
             line = node.lines[type_][chance.randrange(len(node.lines[type_]))]
             state = state.with_used(number, line.slot).with_frame(line.number)
     return state

@@ -144,7 +144,8 @@ def test_rolling_back_publishes_the_old_content_again(small_draft: Folder) -> No
 
 def test_a_damaged_publication_is_not_rolled_back_to(small_draft: Folder) -> None:
     first = publish()
-    models.Publication.objects.filter(pk=first.pk).update(data=bytes(first.data)[:-9] + b"something")
+    data = bytes(first.data)[:-9] + b"something"
+    models.Publication.objects.filter(pk=first.pk).update(data=data)
     with pytest.raises(SnapshotError, match="damaged"):
         roll_back(first.pk)
     assert models.Publication.objects.count() == 1
