@@ -50,7 +50,7 @@ _TEXTS = {
         |cannot abide|never could stand|despise|hate the sight of|makes me sick|turns my stomach
     """,
     Says.DEPENDS: """
-        it depends|that depends|it all depends|depends on|depends|depending on|yes and no
+        so so|it depends|that depends|it all depends|depends on|depends|depending on|yes and no
         |depending|it varies|that varies|some days yes|on and off|in two minds|fifty fifty
         |when I'm in the mood|if I'm in the mood|some I do|some of them|some yes|half and half
     """,
@@ -98,7 +98,7 @@ _TEXTS = {
         |not so much|not too much|not exactly|not quite|not often|not very often|not always
         |hardly|not every day|hardly ever|hardly at all|barely|rarely|seldom|scarcely|not overly
         |not terribly|not massively|not hugely|not greatly|only a little|very little
-        |not too keen|meh|so so|not my favourite|not my favorite|not the best
+        |not too keen|meh|not my favourite|not my favorite|not the best
         |could take or leave|no great fan|not a great fan|not a big fan|not a huge fan
         |not much of a fan|I prefer|I'd prefer|I would prefer|I'd rather|I would rather
         |maybe later|perhaps later|later perhaps|later maybe|another time|another day

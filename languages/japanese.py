@@ -4,7 +4,11 @@ from collections.abc import Mapping
 
 from languages import japanese_names, japanese_words
 from languages.answers import read_answer
-from languages.japanese_answers import JAPANESE_ANSWERS
+from languages.japanese_answers import (
+    JAPANESE_ANSWERS,
+    JAPANESE_LONG_ANSWERS,
+    LONGEST_SHORT_ANSWER,
+)
 from languages.language import Attitude, NameForms, Token
 from languages.tokens import CHARACTERS, as_hiragana, find_tokens
 
@@ -33,7 +37,9 @@ class Japanese:
 
     def attitude(self, sentence: str) -> Attitude:
         """Return what an answer says."""
-        return read_answer(sentence, self.tokens(sentence), JAPANESE_ANSWERS)
+        tokens = self.tokens(sentence)
+        short = len(tokens) <= LONGEST_SHORT_ANSWER
+        return read_answer(sentence, tokens, JAPANESE_ANSWERS if short else JAPANESE_LONG_ANSWERS)
 
     def their_words(self, words: str) -> str:
         """Return the person's words as the agent says them."""

@@ -56,7 +56,9 @@ _TEXTS = {
         |何とも言えない|何とも言えません|による|によります
     """,
     Says.YES: """
-        はい|はーい|はいはい|うん|うんうん|ええ|えぇ|そう|そうそう|そうです|そうですね|そうだね
+        行ったことがあります|見たことがあります|食べたことがあります|飲んだことがあります|したことがあります
+        |聞いたことがあります|やったことがあります|弾いたことがあります|行ったことがある|見たことがある
+        |食べたことがある|飲んだことがある|したことがある|聞いたことがある|はい|はーい|はいはい|うん|うんうん|ええ|えぇ|そう|そうそう|そうです|そうですね|そうだね
         |そうね|そうよ|そうだよ|そうなんです|そうなの|お願いします|おねがいします|お願い
         |おねがい|お願いいたします|頼みます|頼む|たのみます|いいですね|いいですよ|いいよ|いいね
         |いいわね|いいわよ|いいわ|良いですね|良いですよ|よろしく|よろしくお願いします|喜んで
@@ -164,10 +166,30 @@ _TEXTS = {
     """,
 }
 
-JAPANESE_ANSWERS = AnswerBook(
-    make_phrases(_TEXTS, lambda text: find_tokens(text, CHARACTERS), lambda text: text),
-    doubtful=frozenset({"うん", "いや", "ええ", "そう", "はい", "いえ", "違う", "ちがう", "まだ"}),
-    objects_first=True,
-    slack=8,
-    slack_of_weak=6,
+#: Ends of ordinary statements: an answer only where little else is said (行きました, but not
+#: トイレに行きました).
+_ENDINGS = frozenset(
+    word.strip()
+    for word in ["\n        ます", "ました", "ますよ", "ますね", "ましたよ", "ましたね", "ています", "ていました", "ある", "あるよ", "あるわ", "あるね", "あるわよ", "いい\n        ", "良い", "よい", "たいです", "ほしい", "欲しい", "見たい", "聞きたい", "聴きたい", "飲みたい", "食べたい", "行きたい", "やりたい", "会いたい\n        ", "知りたい", "歌いたい", "踊りたい", "だった", "でした", "あります", "ありますよ", "ありますね", "ありました", "しましょう\n        ", "してください", "やって", "かけて", "見せて", "聞かせて\n    "]
 )
+LONGEST_SHORT_ANSWER = 7  # characters
+
+
+def _without_endings(text: str) -> str:
+    words = (word.strip() for word in text.split("|"))
+    return "|".join(word for word in words if word not in _ENDINGS)
+
+
+def _book(texts: dict[Says, str]) -> AnswerBook:
+    return AnswerBook(
+        make_phrases(texts, lambda text: find_tokens(text, CHARACTERS), lambda text: text),
+        doubtful=_DOUBTFUL,
+        objects_first=True,
+        slack=8,
+        slack_of_weak=6,
+    )
+
+
+_DOUBTFUL = frozenset({"うん", "いや", "ええ", "そう", "はい", "いえ", "違う", "ちがう", "まだ"})
+JAPANESE_ANSWERS = _book(_TEXTS)
+JAPANESE_LONG_ANSWERS = _book({says: _without_endings(text) for says, text in _TEXTS.items()})
