@@ -1,6 +1,7 @@
 """Find the topic a person means: by keywords in what they say, or by the name in a wish."""
 
 from dialogue.engine.chance import draw
+from dialogue.engine.keywords import KeywordMatch
 from dialogue.engine.names import spelled
 from dialogue.engine.tree import Node
 from dialogue.engine.turn import Turn
@@ -23,14 +24,26 @@ def topic_of_sentence(turn: Turn, sentence: str) -> Node | None:
     found = [(node, match) for match in matches if (node := turn.content.tree.node(match.topic))]
     if not found:
         return None
-    gentle = [(node, match) for node, match in found if node.gentle]
-    found = gentle or found
+    found = _hard_subjects(found) or found
     best = max(match.rank for _, match in found)
     options = [(node, turn.likeliness(node)) for node, match in found if match.rank == best]
     chosen = draw(options, turn.chance) or options[0][0]
     words = next(match.words for node, match in found if node is chosen)
     turn.note("keywords", f"{', '.join(words)} → {chosen.key}", options)
     return chosen
+
+
+def _hard_subjects(found: list[tuple[Node, KeywordMatch]]) -> list[tuple[Node, KeywordMatch]]:
+    """Return the hard subjects, unless only another topic was named by two words.
+
+    "My husband died, we had a dog" is about grief; "the doctor told me to drink green tea" is not
+    about doctors.
+    """
+    gentle = [(node, match) for node, match in found if node.gentle]
+    precise = any(not match.wildcard for node, match in found if not node.gentle)
+    if precise and all(match.wildcard for _, match in gentle):
+        return [(node, match) for node, match in found if not node.gentle]
+    return gentle
 
 
 def topic_called(turn: Turn, words: str) -> Node | None:

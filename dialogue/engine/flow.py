@@ -63,12 +63,16 @@ def carry_on(turn: Turn) -> None:
 
 
 def _hand_over(turn: Turn) -> bool:
-    """After a hard subject the person says what comes next; True where they were asked."""
+    """After a hard subject the person says what comes next; True where something was said."""
     node = turn.node
-    if node is None or not node.gentle or turn.moving or turn.state.last_type == "e":
+    if node is None or not node.gentle or turn.moving:
         return False
+    if turn.state.last_type == "e":
+        turn.note("stay", f"Nothing else was named: go on listening about {node.key}.")
+        turn.change(ordering="cw")
+        return _say_ordering(turn)
     turn.note("hand over", f"{node.key} is a hard subject: the person chooses how to go on.")
-    return say_from_pool(turn, "initiative")
+    return say_from_pool(turn, "stay_or_go") or say_from_pool(turn, "initiative")
 
 
 def _say_ordering(turn: Turn) -> bool:

@@ -15,7 +15,7 @@ from dialogue.engine.sentence_types import REACTION, SENTENCE_TYPES
 from dialogue.engine.state import DialogueState
 from dialogue.engine.tree import Node
 from dialogue.engine.turn import Heard, Step, Turn
-from dialogue.engine.wishes import listen
+from dialogue.engine.wishes import is_about_people, listen
 from languages.language import Attitude
 from plans.engine.manager import PlanAnswer
 
@@ -125,9 +125,16 @@ def _answer_and_keywords(turn: Turn) -> bool:
         if not answered and not turn.parts and turn.plan is None:
             _acknowledge(turn)
         return False
-    turn.change(siblings=0, noes=0, misses=0)
+    asked = not answered and turn.language.asks(heard.sentence)
+    turn.change(siblings=0, noes=0, misses=turn.state.misses + 1 if asked else 0)
+    if asked and is_about_people(turn, mentioned):
+        # "Where is my husband?": no stock line about husbands.
+        say_from_pool(turn, "not_understood")
+        listen(turn, "wc")
+        carry_on(turn)
+        return True
     if not mentioned.gentle:
-        _nod(turn, mentioned, answered=answered)
+        _nod(turn, mentioned, answered=answered, asked=asked)
     begin(turn, mentioned)
     return True
 
@@ -163,10 +170,12 @@ def _mentioned(turn: Turn) -> Node | None:
     return found
 
 
-def _nod(turn: Turn, mentioned: Node, *, answered: bool) -> None:
+def _nod(turn: Turn, mentioned: Node, *, answered: bool, asked: bool) -> None:
     """React before going over to what the person mentioned."""
     node = turn.node
-    if answered and node and turn.state.ordering[:1] in ("p", "n"):
+    if asked:
+        say_from_pool(turn, "not_understood")
+    elif answered and node and turn.state.ordering[:1] in ("p", "n"):
         say_of_type(turn, node, turn.state.ordering[0])
     elif turn.state.last_type in OPEN_TYPES and turn.state.turn > 1:
         _say_heard(turn)

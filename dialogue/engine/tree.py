@@ -42,6 +42,9 @@ class Line:
         return language in self.templates and (not self.only or culture in self.only)
 
 
+#: The group of relatives and friends: who speaks of theirs is listened to.
+PEOPLE = "People"
+
 #: A pattern: sentence types in order, each with whether it may be left out.
 Pattern = tuple[tuple[str, bool], ...]
 Lines = Mapping[str, tuple[Line, ...]]

@@ -1,7 +1,8 @@
 """What the person wants wins: stay with them when they speak of someone or something of theirs."""
 
-from dialogue.engine.saying import say_from_pool, say_of_type
-from dialogue.engine.tree import ON_YOUR_MIND
+from dialogue.engine.flow import carry_on
+from dialogue.engine.saying import say_from_pool
+from dialogue.engine.tree import ON_YOUR_MIND, PEOPLE, Node
 from dialogue.engine.turn import Turn
 
 #: The pool for each way of bringing something up (the `startsentence` of the jump).
@@ -9,9 +10,17 @@ _POOLS = {"p": "fond", "n": "averse"}
 LONGEST_WISH = 80
 
 
-def is_personal(turn: Turn, words: str) -> bool:
-    """Say whether the words speak of someone's own: "my wife Margaret"."""
+def is_personal(turn: Turn, words: str, node: Node | None) -> bool:
+    """Say whether the words speak of someone of theirs: "my wife Margaret", not "my garden"."""
+    if node is not None and not is_about_people(turn, node):
+        return False
     return turn.language.their_words(words).casefold() != words.casefold()
+
+
+def is_about_people(turn: Turn, node: Node) -> bool:
+    """Say whether a topic is about relatives or friends."""
+    people = turn.content.tree.by_key.get(PEOPLE)
+    return people is not None and turn.content.tree.is_same_or_below(node.number, people.number)
 
 
 def stay_with(turn: Turn, words: str, startsentence: str) -> bool:
@@ -26,16 +35,18 @@ def stay_with(turn: Turn, words: str, startsentence: str) -> bool:
     if not say_from_pool(turn, pool, words={"what": turn.language.their_words(said)}):
         return False
     turn.note("stay", f"Nothing known about these words: stay with the person ({pool}).")
-    listen(turn)
-    if pool == "averse" and turn.node:
-        turn.change(ordering="w")
-        say_of_type(turn, turn.node, "c")
+    if turn.language.their_words(said).casefold() != said.casefold():
+        listen(turn)
+    elif pool == "averse":
+        carry_on(turn)
+    else:
+        listen(turn, "w")
     return True
 
 
-def listen(turn: Turn) -> None:
+def listen(turn: Turn, ordering: str = "cwc") -> None:
     """Make listening the topic: c w c, without proposals."""
     node = turn.content.tree.by_key.get(ON_YOUR_MIND)
     if node:
         turn.state = turn.state.with_topic_started(node.number)
-        turn.change(ordering="cwc", siblings=0, noes=0)
+        turn.change(ordering=ordering, siblings=0, noes=0)

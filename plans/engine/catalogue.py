@@ -1,5 +1,6 @@
 """The compiled library: it knows which intent a sentence means."""
 
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from types import MappingProxyType
@@ -13,6 +14,15 @@ from plans.engine.matchers.patterns_compiler import CANNOT
 from plans.engine.problems import LibraryError, Problem
 
 __all__ = ["Catalogue", "IntentMatch", "LibraryError", "Problem", "compile_catalogue"]
+
+
+#: Where a sentence is cut, and the priority from which a clause is then enough: punctuation for
+#: wishes about the talk (80), conjunctions for safety (100) only.
+_CLAUSES = (
+    (re.compile(r"[,.;:!?、。；！？…]+\s*"), 80),
+    (re.compile(r"[,.;:!?、。；！？…]+\s*|\s(?:and|but|e|ma)\s"), 100),
+)
+MOST_CLAUSES = 8
 
 
 @dataclass(frozen=True, slots=True)
@@ -47,8 +57,22 @@ class Catalogue:
     def match(self, sentence: str, language: str) -> IntentMatch | None:
         """Return what the sentence asks for, or None for ordinary talk.
 
-        An unknown language matches nothing.
+        An unknown language matches nothing. Where the whole sentence asks for nothing, one clause
+        is enough for safety and for wishes about the talk: "I am so tired, I want to die".
         """
+        return self._match_whole(sentence, language) or self._match_clause(sentence, language)
+
+    def _match_clause(self, sentence: str, language: str) -> "IntentMatch | None":
+        for splitter, priority in _CLAUSES:
+            clauses = [part for part in splitter.split(sentence)[:MOST_CLAUSES] if part.strip()]
+            if len(clauses) > 1:
+                matches = (self._match_whole(clause, language) for clause in clauses)
+                pressing = [one for one in matches if one and one.intent.priority >= priority]
+                if pressing:
+                    return max(pressing, key=lambda match: match.intent.priority)
+        return None
+
+    def _match_whole(self, sentence: str, language: str) -> "IntentMatch | None":
         for matcher in self.matchers.get(language, ()):
             candidates = matcher.find(sentence)
             if candidates:

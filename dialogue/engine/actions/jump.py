@@ -18,7 +18,7 @@ def jump(turn: Turn, parameters: Mapping[str, str | None]) -> bool:
     start = parameters.get("startsentence") or ""
     start = start if start in SENTENCE_TYPES else ""
     node = named_topic(turn, words)
-    if node and not node.gentle and not is_personal(turn, words):
+    if node and not node.gentle and not is_personal(turn, words, node):
         # Who asks for a topic wants to be asked about it: the count of questions begins anew.
         turn.change(siblings=0, noes=0, questions=0)
         begin(turn, node, start=start, opinion=start == "p")

@@ -21,7 +21,7 @@ def leave(turn: Turn, parameters: Mapping[str, str | None]) -> bool:
         turn.state = turn.state.with_avoided(node.number, turn.state.turn + STAY_OUT)
         turn.note("leave", f"{node.key} stays out for {STAY_OUT} turns.")
     current = turn.node
-    if node is None or (current and node.branch == current.branch):
+    if node is None or (current and (current.gentle or node.branch == current.branch)):
         turn.moving = True
         turn.change(ordering="", noes=2)
     carry_on(turn)

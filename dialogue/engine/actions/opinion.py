@@ -13,7 +13,7 @@ def opinion(turn: Turn, parameters: Mapping[str, str | None]) -> bool:
     """Speak about a known topic without a yes/no question; without one, about this topic."""
     words = parameters.get("topic") or ""
     node = named_topic(turn, words) if words else turn.node
-    if node is None or is_personal(turn, words):
+    if node is None or is_personal(turn, words, node):
         if not 0 < len(words.strip()) <= LONGEST_WISH:
             return False  # "If you ask me" would be all there is to say.
         said = say_from_pool(turn, "opinion")

@@ -14,7 +14,6 @@ from tests.engine.dialogue.world import (
     KNOWLEDGE,
     LIBRARY,
     NUMBERS,
-    WORLD,
     changed,
     with_pool,
     without_topics,
@@ -167,8 +166,8 @@ def test_where_no_topic_is_left_the_person_takes_the_initiative():
 
 
 def test_when_all_has_been_talked_about_the_oldest_topics_may_come_again():
-    topics = tuple(range(1, len(NUMBERS)))
-    turn = turn_in(mrs_smith("Gardening", topics=(*topics[-15:], NUMBERS["Gardening"])))
+    topics = tuple(number for key, number in NUMBERS.items() if key != "Gardening")
+    turn = turn_in(mrs_smith("Gardening", topics=(*topics, NUMBERS["Gardening"])))
     carry_on(turn)
     assert "initiative" not in kinds(turn)
     assert turn.state.topic not in (NUMBERS["Gardening"], 0)
@@ -220,13 +219,38 @@ def test_a_hard_subject_is_heard_before_it_is_asked_about():
 def test_after_a_hard_subject_the_person_says_how_to_go_on():
     turn = turn_in(mrs_smith("Grief"))
     carry_on(turn)
+    assert kinds(turn) == ["stay_or_go"]
+    assert turn.state.topic == NUMBERS["Grief"]
+
+
+def test_without_its_own_pool_the_person_is_asked_for_the_initiative():
+    turn = turn_in(mrs_smith("Grief"), content=with_pool("stay_or_go"))
+    carry_on(turn)
     assert kinds(turn) == ["initiative"]
     assert turn.state.topic == NUMBERS["Grief"]
 
 
-@pytest.mark.parametrize(("last_type", "content"), [("e", WORLD), ("c", with_pool("initiative"))])
-def test_who_was_asked_and_names_nothing_is_led_on(last_type, content):
-    turn = turn_in(mrs_smith("Grief", last_type=last_type), content=content)
+def test_where_there_is_no_way_to_ask_the_person_is_led_on():
+    pools = {**KNOWLEDGE.pools, "stay_or_go": (), "initiative": ()}
+    content = build_content(msgspec.structs.replace(KNOWLEDGE, pools=pools), LIBRARY)
+    turn = turn_in(mrs_smith("Grief"), content=content)
+    carry_on(turn)
+    assert turn.node is not None
+    assert not turn.node.gentle
+
+
+@pytest.mark.parametrize("topic", ["Grief", "Funerals", "OnYourMind"])
+def test_who_was_asked_and_names_nothing_is_listened_to(topic):
+    turn = turn_in(mrs_smith(topic, last_type="e"))
+    carry_on(turn)
+    assert kinds(turn) == ["c"]
+    assert (turn.state.topic, turn.state.ordering) == (NUMBERS[topic], "w")
+    assert [step.rule for step in turn.steps][:1] == ["stay"]
+
+
+def test_who_wants_to_move_on_is_not_asked_again():
+    turn = turn_in(mrs_smith("Grief", last_type="e"))
+    turn.moving = True
     carry_on(turn)
     assert turn.node is not None
     assert not turn.node.gentle

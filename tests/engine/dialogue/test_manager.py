@@ -120,6 +120,76 @@ def test_keywords_are_ignored_while_the_person_is_listened_to():
     assert (reply.topic, reply.sentence_type) == ("OnYourMind", "w")
 
 
+def test_after_a_hard_subject_only_the_person_leads_away_from_it():
+    """The agent asks whether to stay, stays, and asks again; it proposes nothing."""
+    reply, types = hear(mrs_smith("Grief", ordering="c"), "Well"), []
+    for _ in range(6):
+        before = reply.state
+        reply = hear(before, "Hm")
+        types.append(kinds_said(before, reply)[-1])
+        assert reply.topic == "Grief"
+    assert types == ["stay_or_go", "c", "w", "stay_or_go", "c", "w"]
+
+
+def test_who_is_asked_to_stay_or_go_has_the_initiative():
+    asked = hear(mrs_smith("Grief", last_type="w"), "Well")
+    assert kinds_said(mrs_smith("Grief"), asked) == ["gentle", "stay_or_go"]
+    assert asked.sentence_type == "e"
+    assert kinds_said(asked.state, hear(asked.state, "Milk")) == ["gentle", "opener", "q"]
+    assert hear(asked.state, "Milk").topic == "Milk"
+    assert hear(asked.state, "The funerals").topic == "Funerals"
+    changed_to = hear(asked.state, "Something else", act("change"))
+    assert not node(changed_to.topic).gentle
+    assert kinds_said(asked.state, changed_to)[0] == "change_asked"
+
+
+# Questions of the person.
+
+
+def test_a_question_with_a_keyword_is_not_answered_but_the_topic_is_taken_up():
+    before = mrs_smith("Piano", ordering="c", last_type="w", siblings=2, noes=1, misses=1)
+    reply = hear(before, "Is milk good for cats?")
+    assert kinds_said(before, reply) == ["not_understood", "opener", "q"]
+    assert reply.topic == "Milk"
+    assert (reply.state.siblings, reply.state.noes, reply.state.misses) == (0, 0, 2)
+
+
+def test_an_answer_that_asks_back_is_an_answer():
+    before = asked_about_tea(misses=1)
+    reply = hear(before, "Yes, with milk, and you?")
+    assert kinds_said(before, reply) == ["p", "opener", "q"]
+    assert reply.state.misses == 0
+
+
+def test_no_answer_at_all_that_asks_is_not_understood():
+    before = asked_about_tea()
+    reply = hear(before, "Where is the milk?")
+    assert kinds_said(before, reply) == ["not_understood", "opener", "q"]
+    assert (reply.topic, reply.state.misses) == ("Milk", 1)
+
+
+def test_who_asks_about_people_is_listened_to():
+    before = mrs_smith("Tea", ordering="wc", siblings=2, noes=1, misses=1)
+    reply = hear(before, "Where is my husband?")
+    assert kinds_said(before, reply) == ["not_understood", "w"]
+    assert (reply.topic, reply.state.ordering) == ("OnYourMind", "c")
+    assert (reply.state.siblings, reply.state.noes, reply.state.misses) == (0, 0, 2)
+
+
+def test_who_asks_about_people_again_goes_on_being_listened_to():
+    asked = hear(mrs_smith("Tea"), "Where is my husband?")
+    reply = hear(asked.state, "Where is my husband?")
+    assert kinds_said(asked.state, reply) == ["not_understood", "c"]
+    assert reply.topic == "OnYourMind"
+
+
+def test_who_tells_of_people_hears_of_the_topic():
+    before = mrs_smith("Tea", ordering="wc")
+    reply = hear(before, "My husband is at home")
+    assert kinds_said(before, reply) == ["opener", "q"]
+    assert reply.topic == "Husband"
+
+
 def test_a_hard_subject_wins_while_listening_and_all_others_after_it():
     listening = mrs_smith("OnYourMind", ordering="wc")
     assert hear(listening, "the funerals").topic == "Funerals"

@@ -19,7 +19,7 @@ from tests.engine.dialogue.world import NUMBERS, WORLD, without_topics
 KEY = [b"a key of many bytes"]
 SENTENCES = {
     "en": "Yes|No|Not really|It depends|A little|I love it|Hm|My sister lives in Bath"
-    "|I had milk and green tea|The piano|Why?|There were two funerals|Coffee|I hate it",
+    "|I had milk and green tea|The piano|Why?|My husband is out|Where is my husband?|Is tea healthy?|There were two funerals|Coffee|I hate it",
     "it": "Sì|No|Dipende|Mah|Adoro questa cosa|Ho bevuto del latte|Il pianoforte|Perché?|Un lutto",
     "ja": "はい|いいえ|うーん|牛乳を飲みました|ピアノ|なぜですか？|大好きです|お葬式がありました",
 }
@@ -28,6 +28,8 @@ ACTIONS = (
     act("jump", topic="tea", startsentence="p"),
     act("jump", topic="my wife Margaret", startsentence="q"),
     act("jump", topic="submarines", startsentence="n"),
+    act("jump", topic="my neighbour", startsentence="n"),
+    act("jump", topic="submarines", startsentence="p"),
     act("leave"),
     act("leave", topic="music"),
     act("change"),

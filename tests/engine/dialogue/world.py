@@ -1,4 +1,4 @@
-"""A small world with tea, music and grief in three languages; Mrs Smith likes tea."""
+"""A small world with tea, music, people and grief in three languages; Mrs Smith likes tea."""
 
 import msgspec
 
@@ -31,6 +31,8 @@ NUMBERS = {
             "Funerals",
             "OnYourMind",
             "Gardening",
+            "People",
+            "Husband",
         ],
         1,
     )
@@ -211,6 +213,17 @@ TOPICS = (
         **_GENTLE_WORDS,
     ),
     topic("Gardening", "Life", "gardening/m giardinaggio/園芸"),
+    topic("People", "Life", "the people around us/f gente/周りの人", keywords={}),
+    topic(
+        "Husband",
+        "People",
+        "husbands/m marito/夫",
+        keywords={
+            "en": (("husband",), ("*",)),
+            "it": (("marito",), ("*",)),
+            "ja": (("夫",), ("*",)),
+        },
+    ),
 )
 
 PLAYSONG = Intent(

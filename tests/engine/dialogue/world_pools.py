@@ -41,6 +41,11 @@ _TABLE = {
         "Ti sento.|Fai con calma.",
         "お聞きしています。|ごゆっくりどうぞ。",
     ),
+    "stay_or_go": (
+        "Stay with it, or go on?|What would do you good?",
+        "Restiamo qui o andiamo avanti?|Che cosa ti farebbe bene?",
+        "このままにしましょうか？|どうしましょうか？",
+    ),
     "transition": (
         "From $hasName to $toName.|After $hasName, $toName.",
         "$hasName.da $toName.a.|Dopo $hasName, $toName.",
@@ -65,11 +70,6 @@ _TABLE = {
         "That I do not know.|I have no answer.",
         "Questo non lo so.|Non so rispondere.",
         "それはわかりません。|お答えできません。",
-    ),
-    "repair": (
-        "Sorry, I lost you.|I did not follow.",
-        "Scusa, mi sono perso.|Non ti seguivo.",
-        "すみません。|聞き逃しました。",
     ),
     "wish": (
         "Tell me about $what.|What about $what?",

@@ -27,10 +27,10 @@ def library() -> Library:
     data = yaml.load(FILE.read_text("utf-8"), Loader=yaml.BaseLoader)  # noqa: S506 (no objects)
     return Library(
         intents=tuple(intent(number, row) for number, row in enumerate(data["intents"], start=1)),
-        values=tuple(value_list(row) for row in data["values"]),
+        values=tuple(value_list(row) for row in data.get("values", [])),
         phrases=tuple(
             Phrase(key=row["id"], texts={key: row[key] for key in row if key != "id"})
-            for row in data["phrases"]
+            for row in data.get("phrases", [])
         ),
     )
 
@@ -55,13 +55,13 @@ def intent(number: int, row: dict[str, Any]) -> Intent:
         number=number,
         key=row["id"],
         priority=int(row["priority"]),
-        slots=tuple(slot(name, kind) for name, kind in row["slots"].items()),
+        slots=tuple(slot(name, kind) for name, kind in row.get("slots", {}).items()),
         triggers={key: tuple(text["triggers"]) for key, text in texts.items()},
-        plan_sentences={key: tuple(map(says, text["says"])) for key, text in texts.items()},
-        plan=parse_plan(row["plan"]),
-        kbplan=parse_plan(row["kbplan"]),
-        tests={key: tuple(map(stored_test, text["tests"])) for key, text in texts.items()},
-        note=row["note"],
+        plan_sentences={key: tuple(map(says, text.get("says", []))) for key, text in texts.items()},
+        plan=parse_plan(row.get("plan", "")),
+        kbplan=parse_plan(row.get("kbplan", "")),
+        tests={key: tuple(map(stored_test, text.get("tests", []))) for key, text in texts.items()},
+        note=row.get("note", ""),
     )
 
 

@@ -40,10 +40,49 @@ def test_an_unknown_topic_is_listened_to():
     assert "submarines" in reply.sentence
 
 
-@pytest.mark.parametrize("words", ["my wife Margaret", "my green tea", "my milk"])
-def test_someones_own_is_listened_to_even_where_keywords_match(words):
+@pytest.mark.parametrize("words", ["my wife Margaret", "my husband", "my submarine"])
+def test_people_of_theirs_and_the_unknown_are_listened_to(words):
     reply = hear(BEFORE, words, act("jump", topic=words, startsentence="q"))
-    assert reply.topic == "OnYourMind"
+    assert kinds_said(BEFORE, reply) == ["wish"]
+    assert (reply.topic, reply.state.ordering) == ("OnYourMind", "cwc")
+    assert words.replace("my", "your") in reply.sentence
+
+
+@pytest.mark.parametrize(
+    ("words", "topic"), [("my green tea", "GreenTea"), ("my milk", "Milk"), ("my piano", "Piano")]
+)
+def test_a_known_thing_of_theirs_is_a_topic(words, topic):
+    reply = hear(mrs_smith("Tea"), words, act("jump", topic=words, startsentence="q"))
+    assert kinds_said(mrs_smith("Tea"), reply) == ["q"]
+    assert reply.topic == topic
+
+
+def test_people_of_nobody_in_particular_are_a_topic():
+    reply = hear(BEFORE, "Husbands", act("jump", topic="husbands", startsentence="q"))
+    assert (reply.topic, kinds_said(BEFORE, reply)) == ("Husband", ["q"])
+
+
+@pytest.mark.parametrize(("start", "pool"), [("q", "wish"), ("p", "fond"), (None, "wish")])
+def test_an_unknown_wish_is_followed_by_an_open_question(start, pool):
+    reply = hear(BEFORE, "Submarines", act("jump", topic="submarines", startsentence=start))
+    assert kinds_said(BEFORE, reply) == [pool]
+    assert (reply.topic, reply.state.ordering) == ("OnYourMind", "w")
+    assert hear(reply.state, "They dive so deep").sentence_type == "w"
+
+
+def test_after_an_unknown_dislike_the_talk_carries_on():
+    before = mrs_smith("Milk", ordering="wc")
+    reply = hear(before, "Submarines?", act("jump", topic="submarines", startsentence="n"))
+    assert kinds_said(before, reply) == ["averse", "w"]
+    assert (reply.topic, reply.state.ordering) == ("Milk", "c")
+
+
+@pytest.mark.parametrize("words", ["my neighbour", "my husband", "my submarine"])
+def test_who_dislikes_someone_or_something_of_theirs_is_listened_to(words):
+    before = mrs_smith("Milk", ordering="wc")
+    reply = hear(before, words, act("jump", topic=words, startsentence="n"))
+    assert kinds_said(before, reply) == ["averse"]
+    assert (reply.topic, reply.state.ordering) == ("OnYourMind", "cwc")
     assert words.replace("my", "your") in reply.sentence
 
 

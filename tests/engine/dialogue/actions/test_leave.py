@@ -1,5 +1,7 @@
 """leave: the person does not want to talk about something."""
 
+import pytest
+
 from dialogue.engine.actions.leave import STAY_OUT
 from tests.engine.dialogue.talk import act, hear, kinds_said, mrs_smith, node
 from tests.engine.dialogue.world import NUMBERS
@@ -36,6 +38,24 @@ def test_to_avoid_something_else_does_not_end_the_topic():
     reply = hear(before, "Never talk of the piano", act("leave", topic="piano"))
     assert kinds_said(before, reply) == ["leave", "w"]
     assert reply.topic == "Tea"
+
+
+@pytest.mark.parametrize("topic", ["Grief", "Funerals", "OnYourMind"])
+@pytest.mark.parametrize("words", [None, "grief", "funerals", "piano", "submarines"])
+@pytest.mark.parametrize("last_type", ["c", "e"])
+def test_a_hard_subject_is_left_whatever_is_named(topic, words, last_type):
+    before = mrs_smith(topic, ordering="wc", last_type=last_type)
+    reply = hear(before, "Not this", act("leave", topic=words))
+    assert kinds_said(before, reply)[0] == ("change_asked" if words == "submarines" else "leave")
+    assert not node(reply.topic).gentle
+    assert node(reply.topic).branch != NUMBERS["Life"]
+
+
+def test_from_elsewhere_a_hard_subject_is_only_avoided():
+    before = mrs_smith("Tea", ordering="wc")
+    reply = hear(before, "No funerals", act("leave", topic="funerals"))
+    assert (reply.topic, kinds_said(before, reply)) == ("Tea", ["leave", "w"])
+    assert reply.state.avoided == ((NUMBERS["Funerals"], 6 + STAY_OUT),)
 
 
 def test_where_nothing_known_is_named_the_subject_changes():

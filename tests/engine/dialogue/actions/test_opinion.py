@@ -26,11 +26,20 @@ def test_an_unknown_topic_is_asked_about():
     assert reply.topic == "OnYourMind"
 
 
-def test_the_agent_has_no_opinion_of_the_persons_own():
+@pytest.mark.parametrize("words", ["my husband", "my wife Margaret", "my submarine"])
+def test_the_agent_has_no_opinion_of_the_persons_own(words):
+    before = mrs_smith("Tea")
+    reply = hear(before, "And mine?", act("opinion", topic=words))
+    assert kinds_said(before, reply) == ["opinion", "wish"]
+    assert words.replace("my", "your") in reply.sentence
+    assert (reply.topic, reply.state.ordering) == ("OnYourMind", "cwc")
+
+
+def test_a_known_thing_of_theirs_is_spoken_of():
     before = mrs_smith("Tea")
     reply = hear(before, "And my milk?", act("opinion", topic="my milk"))
-    assert kinds_said(before, reply) == ["opinion", "wish"]
-    assert "your milk" in reply.sentence
+    assert kinds_said(before, reply) == ["opinion", "p", "w"]
+    assert reply.topic == "Milk"
 
 
 @pytest.mark.parametrize("words", [None, "  ", "submarines " * 10])
