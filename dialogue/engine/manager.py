@@ -190,6 +190,8 @@ def _acknowledge(turn: Turn) -> None:
     if turn.language.asks(sentence):
         turn.change(misses=turn.state.misses + 1)
         say_from_pool(turn, "not_understood")
+        if turn.node and is_about_people(turn, turn.node):
+            listen(turn, "wc")  # No stock line about husbands after "Where is he?".
         return
     turn.change(misses=0)
     long_enough = len(turn.language.tokens(sentence)) >= WORDS_WORTH_A_NOD

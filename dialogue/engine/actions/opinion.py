@@ -19,7 +19,7 @@ def opinion(turn: Turn, parameters: Mapping[str, str | None]) -> bool:
         said = say_from_pool(turn, "opinion")
         return stay_with(turn, words, "q") or said
     turn.change(siblings=0, noes=0)
-    if not turn.heard.plan_said:
+    if not turn.heard.plan_said and not node.gentle:
         say_from_pool(turn, "opinion")
-    begin(turn, node, opinion=True)
+    begin(turn, node, opinion=not node.gentle)
     return True

@@ -132,3 +132,10 @@ def test_a_topic_they_did_not_like_is_taken_up_with_care():
 def test_a_first_turn_without_words_is_a_greeting():
     before = start(WORLD, "en", "EN", 1).state
     assert kinds_said(before, hear(before, "")) == ["start"]
+
+
+def test_a_question_about_people_gets_no_stock_line_about_them():
+    before = mrs_smith("Husband", ordering="wc", last_type="c")
+    reply = hear(before, "Where is he now?")
+    assert kinds_said(before, reply)[0] == "not_understood"
+    assert reply.topic == "OnYourMind"

@@ -61,6 +61,7 @@ def test_without_any_neighbour_a_topic_of_another_branch_follows():
         "TeaCeremony",
         "Festivals",
         "Gardening",
+        "Husband",
     }
 
 

@@ -19,7 +19,8 @@ from tests.engine.dialogue.world import NUMBERS, WORLD, without_topics
 KEY = [b"a key of many bytes"]
 SENTENCES = {
     "en": "Yes|No|Not really|It depends|A little|I love it|Hm|My sister lives in Bath"
-    "|I had milk and green tea|The piano|Why?|My husband is out|Where is my husband?|Is tea healthy?|There were two funerals|Coffee|I hate it",
+    "|I had milk and green tea|The piano|Why?|My husband is out"
+    "|Where is my husband?|Is tea healthy?|There were two funerals|Coffee|I hate it",
     "it": "Sì|No|Dipende|Mah|Adoro questa cosa|Ho bevuto del latte|Il pianoforte|Perché?|Un lutto",
     "ja": "はい|いいえ|うーん|牛乳を飲みました|ピアノ|なぜですか？|大好きです|お葬式がありました",
 }
@@ -113,6 +114,23 @@ def test_the_agent_never_begins_to_speak_of_hard_things(seed):
         sentence = ["Yes", "No", "Hm", "It depends", "Ah, good"][chance.randrange(5)]
         answer = hear(answer.state, sentence)
         assert answer.topic not in ("Grief", "Funerals", "OnYourMind")
+
+
+@pytest.mark.parametrize(
+    ("language", "sentences"),
+    [
+        ("en", ("Hm", "It was long ago", "Yes", "No")),
+        ("it", ("Mah", "Sì", "No")),
+        ("ja", ("うーん", "はい", "いいえ")),
+    ],
+)
+@pytest.mark.parametrize("topic", ["Grief", "Funerals", "OnYourMind"])
+def test_a_hard_subject_lasts_until_the_person_names_another(topic, language, sentences):
+    answer = hear(mrs_smith(topic, language=language), sentences[0])
+    for turn in range(30):
+        answer = hear(answer.state, sentences[turn % len(sentences)])
+        assert answer.topic == topic
+        assert answer.sentence_type in ("c", "w", "e")
 
 
 def test_no_proposal_is_made_while_the_person_is_listened_to():

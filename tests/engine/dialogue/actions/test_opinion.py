@@ -53,3 +53,9 @@ def test_after_a_plan_sentence_the_opinion_needs_no_introduction():
     before = mrs_smith("Milk")
     reply = hear(before, "And tea?", act("opinion", topic="tea"), plan_said=True)
     assert kinds_said(before, reply) == ["p", "w"]
+
+
+def test_a_hard_subject_gets_no_opinion():
+    before = mrs_smith("Tea")
+    reply = hear(before, "What do you think of grief?", act("opinion", topic="grief"))
+    assert (kinds_said(before, reply)[0], reply.topic) == ("c", "Grief")
