@@ -20,6 +20,7 @@ def _settings_of_tests(settings: SettingsWrapper) -> None:
     settings.CAIR_POLL_SECONDS = 3600
     plain = {"BACKEND": "django.contrib.staticfiles.storage.StaticFilesStorage"}
     settings.STORAGES = {**settings.STORAGES, "staticfiles": plain}
+    settings.STATIC_ROOT = str(CONTENT.parent / "static")
 
 
 @pytest.fixture(scope="session")
