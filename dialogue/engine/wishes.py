@@ -34,7 +34,7 @@ def stay_with(turn: Turn, words: str, startsentence: str) -> bool:
     pool = _POOLS.get(startsentence, "wish")
     if not say_from_pool(turn, pool, words={"what": turn.language.their_words(said)}):
         return False
-    turn.note("stay", f"Nothing known about these words: stay with the person ({pool}).")
+    turn.note("stay", f"Somebody of theirs, or nothing known: stay with the person ({pool}).")
     if turn.language.their_words(said).casefold() != said.casefold():
         listen(turn)
     elif pool == "averse":
