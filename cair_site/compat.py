@@ -19,7 +19,7 @@ from dialogue.engine.content import Content
 from dialogue.engine.saying import apology
 from dialogue.engine.state import DialogueState
 from dialogue.publishing import NothingPublishedError, current
-from dialogue.turns import first_turn, read_state, take_turn, write_state
+from dialogue.turns import first_turn, read_state, take_turn_without_asking, write_state
 from languages.known import LANGUAGES
 from plans.choices import UnknownChoiceError
 
@@ -133,7 +133,7 @@ def _state(content: Content, old: object, language: str) -> DialogueState:
 
 def _talk(heard: Heard, old: object, language: str) -> Json:
     content = current()
-    taken = take_turn(content, _state(content, old, language), heard.sentence)
+    taken = take_turn_without_asking(content, _state(content, old, language), heard.sentence)
     said = taken.reply
     return {
         "dialogue_state": _state_json(said.state, old if isinstance(old, dict) else {}),

@@ -1,7 +1,7 @@
 """One turn, from a client's values to the answer's values: plan, then dialogue (paper, "Hub")."""
 
 from collections.abc import Collection
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from django.conf import settings
 
@@ -9,13 +9,15 @@ from dialogue.engine.chance import chance_for
 from dialogue.engine.codec import decode, encode
 from dialogue.engine.content import Content
 from dialogue.engine.manager import Reply, reply, start
-from dialogue.engine.state import DialogueState
-from dialogue.engine.turn import Heard
+from dialogue.engine.state import DialogueState, Pending
+from dialogue.engine.turn import Asking, Heard
 from languages.known import LANGUAGES
 from plans.choices import UnknownChoiceError as UnknownChoiceError
 from plans.choices import language_code
+from plans.engine.intents import Intent
 from plans.engine.manager import PlanAnswer, answer
 
+NO_PLAN = PlanAnswer()
 URGENT = 100  # the priority of intents by which people ask for help
 MOST_SEED = 2**32 - 1
 
@@ -29,7 +31,12 @@ class TurnAnswer:
 
     @property
     def plan(self) -> PlanAnswer:
-        """Return the plan of an accepted offer, else the one the person asked for."""
+        """Return the plan of an accepted offer, else the one the person asked for.
+
+        None yet where a parameter was asked for: the plan waits for the answer.
+        """
+        if self.reply.state.pending is not None:
+            return NO_PLAN
         return self.reply.plan or self.understood
 
 
@@ -87,6 +94,13 @@ def take_turn(
     return TurnAnswer(understood, reply(content, state, heard))
 
 
+def take_turn_without_asking(content: Content, state: DialogueState, sentence: str) -> TurnAnswer:
+    """Return the answer for a client that asks for missing parameters itself: it gets None."""
+    understood = understand(content, state, sentence, None)
+    heard = replace(heard_with(content, sentence, understood, None), asking=None)
+    return TurnAnswer(understood, reply(content, state, heard))
+
+
 def understand(
     content: Content, state: DialogueState, sentence: str, capabilities: Collection[str] | None
 ) -> PlanAnswer:
@@ -117,6 +131,15 @@ def heard_with(
         plan_matched=bool(intent and not understood.kbplan_actions),
         plan_said=bool(understood.plan_sentence),
         urgent=bool(intent and intent.priority >= URGENT),
+        asking=_asking(intent, understood),
         capabilities=capabilities,
         explain=explain,
     )
+
+
+def _asking(intent: Intent | None, understood: PlanAnswer) -> Asking | None:
+    """Return the question for a missing parameter, where the intent has one in this language."""
+    if intent is None or not understood.missing or not understood.question:
+        return None
+    known = tuple(understood.parameters.items())
+    return Asking(Pending(intent.number, understood.missing, known), understood.question)

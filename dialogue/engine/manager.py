@@ -4,18 +4,20 @@ from dataclasses import dataclass, replace
 
 from dialogue.engine.actions.table import ACTIONS
 from dialogue.engine.answers import learn, reaction
+from dialogue.engine.asking import ask, take_answer
 from dialogue.engine.chance import chance_for
 from dialogue.engine.content import Content
 from dialogue.engine.find_topic import topic_of_sentence
 from dialogue.engine.flow import begin, carry_on
 from dialogue.engine.offers import answer_offer
+from dialogue.engine.people import is_about_people
 from dialogue.engine.pools import POOLS
 from dialogue.engine.saying import say_from_pool, say_of_type
 from dialogue.engine.sentence_types import REACTION, SENTENCE_TYPES
 from dialogue.engine.state import DialogueState
 from dialogue.engine.tree import Node
 from dialogue.engine.turn import Heard, Step, Turn
-from dialogue.engine.wishes import is_about_people, listen
+from dialogue.engine.wishes import listen
 from languages.language import Attitude
 from plans.engine.manager import PlanAnswer
 
@@ -58,7 +60,7 @@ def reply(content: Content, state: DialogueState, heard: Heard) -> Reply:
 
 def _talk(turn: Turn) -> None:
     """Try each way to answer in turn; the first that has said something ends the turn."""
-    for way in (_help, _kbplan, _welcome, _resume, _offer, _answer_and_keywords):
+    for way in WAYS:
         if way(turn):
             return
     carry_on(turn)
@@ -236,3 +238,7 @@ def _type(turn: Turn) -> str:
         return line.type
     asks = line.type in POOLS and POOLS[line.type].asks
     return INITIATIVE if asks or line.type in ("start", "welcome_back") else "c"
+
+
+#: The order of Algorithm 1: help first, then questions of ours, the KBplan, answers, keywords.
+WAYS = (_help, ask, take_answer, _kbplan, _welcome, _resume, _offer, _answer_and_keywords)

@@ -4,6 +4,7 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from dialogue.engine.chance import draw
+from dialogue.engine.people import is_about_people
 from dialogue.engine.tree import Node
 from dialogue.engine.turn import Turn
 
@@ -112,7 +113,12 @@ def _weight(turn: Turn, node: Node) -> float:
     if state.avoided and state.avoids((node.number, *node.ancestors)):
         return 0.0
     likeliness = turn.likeliness(node)
-    if likeliness <= LEAST_LIKELINESS:
+    if likeliness <= LEAST_LIKELINESS or _would_bring_up_people(turn, node):
         return 0.0
     covered = node.is_leaf and state.used_slots(node.number)
     return likeliness**2 * (ALREADY_COVERED if covered else 1.0)
+
+
+def _would_bring_up_people(turn: Turn, node: Node) -> bool:
+    """Say whether the agent would speak of wives or brothers to someone who did not."""
+    return is_about_people(turn, node) and not (turn.node and is_about_people(turn, turn.node))

@@ -6,7 +6,7 @@ from random import Random
 from types import MappingProxyType
 
 from dialogue.engine.content import Content
-from dialogue.engine.state import DialogueState
+from dialogue.engine.state import DialogueState, Pending
 from dialogue.engine.tree import Line, Node
 from languages.known import LANGUAGES
 from languages.language import Language
@@ -16,11 +16,20 @@ NO_WORDS: Mapping[str, str] = MappingProxyType({})
 
 
 @dataclass(frozen=True, slots=True)
+class Asking:
+    """A parameter the Plan Manager misses, and the question that asks for it."""
+
+    pending: Pending
+    question: str
+
+
+@dataclass(frozen=True, slots=True)
 class Heard:
     """What reaches the Dialogue Manager: the sentence and what the Plan Manager made of it.
 
     `plan_said`: a plan sentence comes first, so what it says need not be said again.
     `plan_matched`: the person asked for a plan, so the words are no topic to talk about.
+    `asking`: a parameter of that plan is missing and must be asked for.
     `urgent`: help was asked for, so there is no chit-chat.
     """
 
@@ -29,6 +38,7 @@ class Heard:
     plan_matched: bool = False
     urgent: bool = False
     plan_said: bool = False
+    asking: Asking | None = None
     capabilities: Collection[str] | None = None
     explain: bool = False
 

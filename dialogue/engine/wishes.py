@@ -1,8 +1,9 @@
 """What the person wants wins: stay with them when they speak of someone or something of theirs."""
 
 from dialogue.engine.flow import carry_on
+from dialogue.engine.people import is_about_people
 from dialogue.engine.saying import say_from_pool
-from dialogue.engine.tree import ON_YOUR_MIND, PEOPLE, Node
+from dialogue.engine.tree import ON_YOUR_MIND, Node
 from dialogue.engine.turn import Turn
 
 #: The pool for each way of bringing something up (the `startsentence` of the jump).
@@ -15,12 +16,6 @@ def is_personal(turn: Turn, words: str, node: Node | None) -> bool:
     if node is not None and not is_about_people(turn, node):
         return False
     return turn.language.their_words(words).casefold() != words.casefold()
-
-
-def is_about_people(turn: Turn, node: Node) -> bool:
-    """Say whether a topic is about relatives or friends."""
-    people = turn.content.tree.by_key.get(PEOPLE)
-    return people is not None and turn.content.tree.is_same_or_below(node.number, people.number)
 
 
 def stay_with(turn: Turn, words: str, startsentence: str) -> bool:

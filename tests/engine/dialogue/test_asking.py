@@ -1,0 +1,48 @@
+"""A missing parameter: asked for once, the bare answer understood, "never mind" leaves."""
+
+from dialogue.engine.state import Pending
+from dialogue.engine.turn import Asking
+from tests.engine.dialogue.talk import act, hear, kinds_said, mrs_smith
+from tests.engine.dialogue.world import WORLD
+
+PLAYSONG = WORLD.catalogue.intents["playsong"]
+WHICH = Asking(Pending(PLAYSONG.number, "title"), "Which song?")
+
+
+def waiting():
+    return hear(mrs_smith("Tea", ordering="wc"), "Play a song", plan_matched=True, asking=WHICH)
+
+
+def test_the_question_is_all_that_is_said_and_the_plan_waits():
+    reply = waiting()
+    assert (reply.sentence, reply.sentence_type, reply.plan) == ("Which song?", "e", None)
+    assert reply.state.pending == Pending(PLAYSONG.number, "title")
+    assert reply.state.ordering == "wc"
+
+
+def test_the_bare_answer_brings_the_plan_and_the_talk_goes_on():
+    reply = hear(waiting().state, "Hey Jude.")
+    assert reply.plan is not None
+    assert reply.plan.plan == "#action=playsong title=Hey Jude"
+    assert (reply.state.pending, reply.sentence_type) == (None, "w")
+
+
+def test_never_mind_is_the_way_out():
+    reply = hear(waiting().state, "Never mind")
+    assert (reply.plan, reply.state.pending) == (None, None)
+    assert "goal_refused" in kinds_said(waiting().state, reply)
+
+
+def test_silence_is_a_way_out_too():
+    assert hear(waiting().state, "  ").plan is None
+
+
+def test_another_wish_wins_over_the_question():
+    reply = hear(waiting().state, "Let us talk about milk", act("jump", topic="milk"))
+    assert (reply.topic, reply.plan, reply.state.pending) == ("Milk", None, None)
+
+
+def test_an_intent_that_is_gone_is_forgotten():
+    before = mrs_smith("Tea", ordering="w", pending=Pending(999, "title"))
+    reply = hear(before, "Hey Jude")
+    assert (reply.plan, reply.state.pending) == (None, None)
