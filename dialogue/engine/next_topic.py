@@ -97,8 +97,9 @@ def _draw_topic(turn: Turn, numbers: Sequence[int], what: str) -> Node | None:
         if (node := turn.content.tree.node(number)) and (weight := _weight(turn, node))
     ]
     chosen = draw(options, turn.chance)
-    if options:
-        turn.note("next", f"{chosen.key if chosen else 'none'} drawn: {what}", options)
+    if options and turn.heard.explain:
+        likely = [(node, turn.likeliness(node)) for node, _ in options]
+        turn.note("next", f"{chosen.key if chosen else 'none'} drawn: {what}", likely)
     return chosen
 
 
