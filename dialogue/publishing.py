@@ -13,6 +13,7 @@ from django.db import DatabaseError, close_old_connections, transaction
 
 from dialogue import models
 from dialogue.content import read_knowledge
+from dialogue.engine.build import build_tree
 from dialogue.engine.checks import check_knowledge
 from dialogue.engine.content import Content, build_content
 from dialogue.engine.findings import Finding
@@ -44,11 +45,17 @@ def publish(*, note: str = "", author: int | None = None) -> models.Publication:
     what the last publication says gives that publication again.
     """
     give_slots()
+    snapshot = _checked_draft()
+    return _store(pack(snapshot), counts(snapshot), note, author)
+
+
+def _checked_draft() -> Snapshot:
+    """Return the draft; NotPublishableError with all its errors where it has some."""
     snapshot = Snapshot(knowledge=read_knowledge(), library=read_library())
     errors = [finding for finding in check(snapshot) if finding.error]
     if errors:
         raise NotPublishableError(errors)
-    return _store(pack(snapshot), counts(snapshot), note, author)
+    return snapshot
 
 
 def check(snapshot: Snapshot) -> list[Finding]:
@@ -90,7 +97,7 @@ def _store(
 
 def counts(snapshot: Snapshot) -> dict[str, int]:
     """Return how many topics, sentences (one a topic and frame) and intents there are."""
-    tree = build_content(snapshot.knowledge, snapshot.library).tree
+    tree = build_tree(snapshot.knowledge)
     sentences = sum(len(lines) for node in tree.nodes.values() for lines in node.lines.values())
     return {
         "topics": len(tree.nodes),
@@ -112,10 +119,7 @@ def load(number: int | None = None) -> Content:
 
 def draft() -> Content:
     """Return the content of the draft, for trying it out. Raises NotPublishableError."""
-    snapshot = Snapshot(knowledge=read_knowledge(), library=read_library())
-    errors = [finding for finding in check(snapshot) if finding.error]
-    if errors:
-        raise NotPublishableError(errors)
+    snapshot = _checked_draft()
     return build_content(snapshot.knowledge, snapshot.library)
 
 

@@ -21,10 +21,9 @@ def ask(turn: Turn) -> bool:
 
 def take_answer(turn: Turn) -> bool:
     """Carry out what was waiting for this answer, unless the person asks for something else."""
-    pending = turn.state.pending
+    pending = turn.waiting
     if pending is None:
         return False
-    turn.change(pending=None)
     intent = turn.content.catalogue.by_number.get(pending.intent)
     if intent is None or turn.heard.plan_matched or turn.heard.kbplan_actions:
         return False

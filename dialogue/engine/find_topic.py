@@ -59,9 +59,12 @@ def topic_called(turn: Turn, words: str) -> Node | None:
 
 
 def named_topic(turn: Turn, words: str) -> Node | None:
-    """Return the topic of a KBplan action: by its name in the ontology, else by keywords."""
+    """Return the topic of a KBplan action: by its name in the ontology, else by keywords.
+
+    The actions of one plan mean the same topic by the same words, also where it is drawn.
+    """
     words = words.replace("_", " ").strip()
-    if not words:
-        return None
-    node = turn.content.tree.by_key.get("".join(words.split()))
-    return node or topic_of_sentence(turn, words)
+    if words and words not in turn.named:
+        node = turn.content.tree.by_key.get("".join(words.split()))
+        turn.named[words] = node or topic_of_sentence(turn, words)
+    return turn.named.get(words)

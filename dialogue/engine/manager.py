@@ -52,8 +52,9 @@ def start(content: Content, language: str, culture: str, seed: int = 0) -> Reply
 
 def reply(content: Content, state: DialogueState, heard: Heard) -> Reply:
     """Return the answer to one client sentence."""
-    state = replace(state, turn=state.turn + 1)
-    turn = Turn(content, state, heard, chance_for(state.seed, state.turn))
+    # A question waits for one turn only, whatever is said in it.
+    waiting, state = state.pending, replace(state, turn=state.turn + 1, pending=None)
+    turn = Turn(content, state, heard, chance_for(state.seed, state.turn), waiting=waiting)
     _talk(turn)
     return _finish(turn)
 

@@ -72,6 +72,8 @@ class Turn:
     steps: list[Step] = field(default_factory=list)
     last_line: Line | None = None
     plan: PlanAnswer | None = None
+    waiting: Pending | None = None  # the parameter that was asked for in the turn before
+    named: dict[str, Node | None] = field(default_factory=dict)  # topics found by their words
     moving: bool = False  # the person asked for another subject
     announced: bool = False  # the change of subject has been said already
 

@@ -26,11 +26,11 @@ def stay_with(turn: Turn, words: str, startsentence: str) -> bool:
     said = " ".join(words.split())
     if not said or len(said) > LONGEST_WISH:
         return False
-    pool = _POOLS.get(startsentence, "wish")
-    if not say_from_pool(turn, pool, words={"what": turn.language.their_words(said)}):
+    pool, returned = _POOLS.get(startsentence, "wish"), turn.language.their_words(said)
+    if not say_from_pool(turn, pool, words={"what": returned}):
         return False
     turn.note("stay", f"Somebody of theirs, or nothing known: stay with the person ({pool}).")
-    if turn.language.their_words(said).casefold() != said.casefold():
+    if returned.casefold() != said.casefold():
         listen(turn)
     elif pool == "averse":
         carry_on(turn)

@@ -156,3 +156,11 @@ def test_an_address_without_its_last_slash_is_the_same_address(api: Api) -> None
     answer = api.client.post("/api/v1/hub", b'{"client_sentence": "x"}', "application/json")
     assert answer.status_code == 200
     assert set(answer.json()) == TURN
+
+
+def test_help_is_never_held_back_by_a_question_of_ours(api: Api) -> None:
+    asked = api.post("hub/", client_sentence="search the internet")
+    assert (asked["plan"], asked["dialogue_sentence"]) == ("", "What shall I look up?")
+    state = asked["dialogue_state"]
+    helped = api.post("hub/", client_sentence="help, I have fallen", dialogue_state=state)
+    assert helped["plan"] == "#action=alert"

@@ -46,3 +46,9 @@ def test_an_intent_that_is_gone_is_forgotten():
     before = mrs_smith("Tea", ordering="w", pending=Pending(999, "title"))
     reply = hear(before, "Hey Jude")
     assert (reply.plan, reply.state.pending) == (None, None)
+
+
+def test_a_cry_for_help_does_not_leave_the_question_waiting():
+    reply = hear(waiting().state, "Help, I have fallen", urgent=True, plan_matched=True)
+    assert reply.state.pending is None
+    assert reply.topic == "OnYourMind"

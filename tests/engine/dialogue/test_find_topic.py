@@ -128,3 +128,11 @@ def test_keywords_of_a_topic_that_is_not_in_the_tree_mean_nothing():
     turn = turn_in(mrs_smith(), content=content)
     assert topic_of_sentence(turn, "some milk") is None
     assert topic_of_sentence(turn_in(mrs_smith(), content=without_topics("Milk")), "milk") is None
+
+
+def test_the_same_words_mean_the_same_topic_in_one_turn():
+    turn = turn_in(mrs_smith())
+    first = named_topic(turn, "green tea")
+    searches = len(turn.steps)
+    assert named_topic(turn, "green_tea") is first
+    assert len(turn.steps) == searches
