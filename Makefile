@@ -8,7 +8,7 @@ BENCH := PYTHONPATH=. $(BIN)/python benchmarks
 MANAGE := $(BIN)/python manage.py
 PURE_PYTEST := PYTHONPATH=. $(BIN)/python -m pytest -p no:django -p no:cacheprovider -c /dev/null --rootdir=. --import-mode=importlib
 
-.PHONY: run setup test test-engine test-server test-browser check format bench transcripts openapi content clean
+.PHONY: run setup test test-engine test-server test-browser check format bench transcripts openapi plans content clean
 
 run: setup ## Set everything up and serve on http://HOST:PORT/
 	@echo "CAIR is at http://$(HOST):$(PORT)/ (Ctrl-C ends it)"
@@ -47,6 +47,7 @@ check: .venv/installed-dev ## Formatting, linters, types, arrows, migrations, co
 	$(BIN)/codespell
 	$(MANAGE) makemigrations --check --dry-run
 	$(MANAGE) check_content
+	$(MANAGE) check_intents
 
 format: .venv/installed-dev ## Format the code
 	$(BIN)/ruff format .
@@ -59,6 +60,14 @@ bench: .venv/installed ## Figures of docs/figures.md
 	$(BENCH)/tree.py --frames-per-class 0
 	$(BENCH)/turn.py
 
+.PHONY: bench-matching
+bench-matching: .venv/installed-bench ## Figures of docs/matching.md, beside hassil; ARGS=--quick for a short run
+	$(BIN)/python -m benchmarks.matching $(ARGS)
+
+.venv/installed-bench: .venv/installed requirements-bench.txt
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements-bench.txt
+	@touch $@
+
 content: setup ## Load content/ into the draft and write it back: canonical form, numbers for what is new
 	$(MANAGE) load_content
 	$(MANAGE) publish
@@ -66,6 +75,9 @@ content: setup ## Load content/ into the draft and write it back: canonical form
 
 transcripts: setup ## Write docs/transcripts/ again (same seeds, same talks)
 	$(MANAGE) talk --transcripts docs/transcripts
+
+plans: setup ## Write docs/plans.md
+	$(MANAGE) plan_guide
 
 openapi: setup ## Write docs/openapi.yaml
 	$(MANAGE) spectacular --file docs/openapi.yaml

@@ -13,6 +13,7 @@ from cair_site.errors import ApiError
 from dialogue.api import (
     ActionMessage,
     DialogueRequest,
+    QuestionMessage,
     TurnRequest,
     answer_dialogue,
     reply_json,
@@ -37,6 +38,7 @@ class PlanSaid(msgspec.Struct):
     plan: str
     plan_actions: list[ActionMessage]
     kbplan_actions: list[ActionMessage]
+    question: QuestionMessage | None = None
 
 
 class DialogueSaid(msgspec.Struct):
@@ -70,7 +72,8 @@ def _turn_over_http(
     """Ask the services that live elsewhere; a silent Plan Manager costs its plan, not the talk."""
     understood = _plan(content, asked, state, sentence)
     reply = _dialogue(content, asked, state, sentence, understood)
-    if not reply["plan"] and not reply["plan_sentence"]:
+    waiting = understood["question"] is not None
+    if not waiting and not reply["plan"] and not reply["plan_sentence"]:
         reply |= {name: understood[name] for name in PLAN_FIELDS}
     return reply
 
@@ -101,6 +104,7 @@ def _dialogue(
         capabilities=asked.capabilities,
         intent=str(understood["intent"]),
         kbplan_actions=msgspec.convert(understood["kbplan_actions"], list[ActionMessage]),
+        question=msgspec.convert(understood["question"], QuestionMessage | None),
     )
     url = settings.CAIR_DIALOGUE_MANAGER_URL
     if url:

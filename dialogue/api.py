@@ -25,10 +25,11 @@ from dialogue.turns import (
     take_turn,
     write_state,
 )
-from plans.api import ActionSerializer, Json, actions_json
-from plans.engine.manager import Action, PlanAnswer
+from plans.api import ActionSerializer, Json, QuestionSerializer, actions_json
+from plans.engine.manager import Action, PlanAnswer, Question
 
 EMPTY = PlanAnswer()
+LONGEST_QUESTION = 400  # characters
 
 
 class TurnRequest(msgspec.Struct):
@@ -49,11 +50,21 @@ class ActionMessage(msgspec.Struct):
     parameters: dict[str, str | None] = {}
 
 
+class QuestionMessage(msgspec.Struct):
+    """A question of the Plan Manager, as it gave it."""
+
+    intent: str
+    slot: str
+    text: str
+    parameters: dict[str, str] = {}
+
+
 class DialogueRequest(TurnRequest):
     """A turn for the Dialogue Manager alone: the KBplan comes from the caller."""
 
     kbplan_actions: list[ActionMessage] = []
     intent: str = ""
+    question: QuestionMessage | None = None
 
 
 class TurnSerializer(serializers.Serializer):
@@ -83,6 +94,9 @@ class DialogueSerializer(TurnSerializer):
     kbplan_actions = ActionSerializer(many=True, required=False)
     intent = serializers.CharField(
         max_length=60, required=False, help_text="What the Plan Manager understood, if anything."
+    )
+    question = QuestionSerializer(
+        required=False, allow_null=True, help_text="What the Plan Manager wants to be asked."
     )
 
 
@@ -152,10 +166,18 @@ def sentence_of(asked: TurnRequest) -> str:
 def answer_dialogue(content: Content, asked: DialogueRequest, state: DialogueState) -> Json:
     """Return the answer of the Dialogue Manager alone."""
     actions = tuple(Action(one.action, one.parameters) for one in asked.kbplan_actions)
-    understood = PlanAnswer(intent=asked.intent, kbplan_actions=actions)
+    understood = PlanAnswer(
+        intent=asked.intent, kbplan_actions=actions, question=_question(asked.question)
+    )
     heard = heard_with(content, sentence_of(asked), understood, asked.capabilities)
     said = reply(content, state, heard)
     return reply_json(said, said.plan or EMPTY)
+
+
+def _question(asked: QuestionMessage | None) -> Question | None:
+    if asked is None:
+        return None
+    return Question(asked.intent, asked.slot, asked.parameters, asked.text[:LONGEST_QUESTION])
 
 
 class DialogueViewSet(ViewSet):

@@ -14,8 +14,7 @@ from dialogue.engine.turn import Asking, Heard
 from languages.known import LANGUAGES
 from plans.choices import UnknownChoiceError as UnknownChoiceError
 from plans.choices import language_code
-from plans.engine.intents import Intent
-from plans.engine.manager import PlanAnswer, answer
+from plans.engine.manager import PlanAnswer, Question, answer
 
 NO_PLAN = PlanAnswer()
 URGENT = 100  # the priority of intents by which people ask for help
@@ -97,7 +96,9 @@ def take_turn(
 def take_turn_without_asking(content: Content, state: DialogueState, sentence: str) -> TurnAnswer:
     """Return the answer for a client that asks for missing parameters itself: it gets None."""
     understood = understand(content, state, sentence, None)
-    heard = replace(heard_with(content, sentence, understood, None), asking=None)
+    heard = heard_with(content, sentence, understood, None)
+    if heard.asking and heard.asking.pending.slot:
+        heard = replace(heard, asking=None)
     return TurnAnswer(understood, reply(content, state, heard))
 
 
@@ -131,15 +132,16 @@ def heard_with(
         plan_matched=bool(intent and not understood.kbplan_actions),
         plan_said=bool(understood.plan_sentence),
         urgent=bool(intent and intent.priority >= URGENT),
-        asking=_asking(intent, understood),
+        asking=_asking(content, understood.question),
         capabilities=capabilities,
         explain=explain,
     )
 
 
-def _asking(intent: Intent | None, understood: PlanAnswer) -> Asking | None:
-    """Return the question for a missing parameter, where the intent has one in this language."""
-    if intent is None or not understood.missing or not understood.question:
+def _asking(content: Content, question: Question | None) -> Asking | None:
+    """Return the question of the Plan Manager with what must be remembered until its answer."""
+    intent = content.catalogue.intents.get(question.intent) if question else None
+    if question is None or intent is None:
         return None
-    known = tuple(understood.parameters.items())
-    return Asking(Pending(intent.number, understood.missing, known), understood.question)
+    known = tuple(question.parameters.items())
+    return Asking(Pending(intent.number, question.slot, known), question.text)

@@ -30,7 +30,9 @@ def write_library(old: Library, new: Library) -> None:
             id=intent.number,
             defaults={
                 "key": intent.key,
+                "family": intent.family,
                 "priority": intent.priority,
+                "abilities": intent.abilities,
                 "note": intent.note,
                 "position": place,
             },

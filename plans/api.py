@@ -15,7 +15,7 @@ from plans.choices import language_code
 from plans.engine.actions import ACTIONS
 from plans.engine.intents import Intent
 from plans.engine.kb_actions import KB_ACTIONS
-from plans.engine.manager import Action, PlanAnswer, answer
+from plans.engine.manager import Action, PlanAnswer, Question, answer
 from plans.engine.plan_text import print_plan
 from plans.serving import current
 
@@ -45,6 +45,15 @@ class ActionSerializer(serializers.Serializer):
     parameters = serializers.DictField(child=serializers.CharField(allow_null=True))
 
 
+class QuestionSerializer(serializers.Serializer):
+    intent = serializers.CharField(help_text="playsong")
+    slot = serializers.CharField(
+        allow_blank=True, help_text='The parameter that is missing; "" where a yes is enough.'
+    )
+    parameters = serializers.DictField(child=serializers.CharField())
+    text = serializers.CharField(help_text="Which song?")
+
+
 class PlanAnswerSerializer(serializers.Serializer):
     intent = serializers.CharField(allow_blank=True)
     parameters = serializers.DictField(child=serializers.CharField())
@@ -53,6 +62,10 @@ class PlanAnswerSerializer(serializers.Serializer):
     plan_actions = ActionSerializer(many=True)
     kbplan = serializers.CharField(allow_blank=True)
     kbplan_actions = ActionSerializer(many=True)
+    question = QuestionSerializer(
+        allow_null=True,
+        help_text="To be asked before the plan is carried out; give it to the Dialogue Manager.",
+    )
 
 
 def actions_json(actions: tuple[Action, ...]) -> list[Json]:
@@ -70,6 +83,18 @@ def plan_json(plan: PlanAnswer) -> Json:
         "plan_actions": actions_json(plan.plan_actions),
         "kbplan": plan.kbplan,
         "kbplan_actions": actions_json(plan.kbplan_actions),
+        "question": _question_json(plan.question),
+    }
+
+
+def _question_json(question: Question | None) -> Json | None:
+    if question is None:
+        return None
+    return {
+        "intent": question.intent,
+        "slot": question.slot,
+        "parameters": dict(question.parameters),
+        "text": question.text,
     }
 
 

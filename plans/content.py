@@ -30,7 +30,9 @@ def read_library() -> values.Library:
             values.Intent(
                 number=row.pk,
                 key=row.key,
+                family=row.family,
                 priority=row.priority,
+                abilities=row.abilities,
                 note=row.note,
                 slots=tuple(map(_slot, slots[row.pk])),
                 triggers={

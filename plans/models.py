@@ -58,6 +58,18 @@ class Intent(models.Model):
         validators=[MaxValueValidator(100)],
         help_text="100 safety, 80 wishes about the talk, 50 robot actions, 40 appreciation.",
     )
+    family = models.CharField(
+        max_length=60,
+        blank=True,
+        validators=[one_word],
+        help_text="Groups intents for authors. Example: media",
+    )
+    abilities = models.JSONField(
+        default=dict,
+        blank=True,
+        validators=[validators.texts_by_language],
+        help_text='What comes after "I can". Example: {"en": "play a song"}',
+    )
     note = models.TextField(
         blank=True, max_length=2000, validators=[no_control], help_text="For colleagues."
     )
@@ -79,7 +91,8 @@ class Slot(models.Model):
         max_length=80,
         default="text",
         validators=[validators.slot_kind],
-        help_text="text, topic, number or value:list. Example: value:volume_level",
+        help_text="text, topic, number, duration, time, date, yes_no or value:list. "
+        "Example: value:volume_level",
     )
     required = models.BooleanField(default=False, help_text="Ask for it when it is missing.")
     questions = models.JSONField(

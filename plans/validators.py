@@ -7,7 +7,7 @@ from django.core.exceptions import ValidationError
 from django.core.validators import RegexValidator
 
 from languages.known import LANGUAGES
-from plans.engine.intents import ActionItem
+from plans.engine.intents import SLOT_KINDS, ActionItem
 from plans.engine.patterns import PatternError, parse_pattern
 from plans.engine.plan_text import PlanTextError, parse_plan, print_plan
 
@@ -21,8 +21,8 @@ no_control = RegexValidator(
     "Remove the invisible control characters (they often come with pasted text).",
 )
 slot_kind = RegexValidator(
-    r"\A(text|topic|number|value:[a-z][a-z0-9_]*)\Z",
-    "Write text, topic, number or value: and a list, e.g. value:volume_level.",
+    rf"\A({'|'.join(SLOT_KINDS)}|value:[a-z][a-z0-9_]*)\Z",
+    f"Write {', '.join(SLOT_KINDS)} or value: and a list, e.g. value:volume_level.",
 )
 culture_codes = RegexValidator(
     r"\A([A-Z]{2,8}( [A-Z]{2,8})*)?\Z", "Write codes of cultures apart by blanks, e.g. IN EN."

@@ -4,7 +4,7 @@ from dataclasses import dataclass, replace
 
 from dialogue.engine.actions.table import ACTIONS
 from dialogue.engine.answers import learn, reaction
-from dialogue.engine.asking import ask, take_answer
+from dialogue.engine.asking import ask, suggest, take_answer
 from dialogue.engine.chance import chance_for
 from dialogue.engine.content import Content
 from dialogue.engine.find_topic import topic_of_sentence
@@ -242,4 +242,14 @@ def _type(turn: Turn) -> str:
 
 
 #: The order of Algorithm 1: help first, then questions of ours, the KBplan, answers, keywords.
-WAYS = (_help, ask, take_answer, _kbplan, _welcome, _resume, _offer, _answer_and_keywords)
+WAYS = (
+    _help,
+    ask,
+    take_answer,
+    _kbplan,
+    _welcome,
+    _resume,
+    _offer,
+    suggest,
+    _answer_and_keywords,
+)

@@ -47,6 +47,15 @@ _TABLE = (
     Pool("end", "when the person wants to stop"),
     Pool("after_end", "when the person speaks again after having stopped"),
     Pool("urgent", "in place of chit-chat when help was asked for"),
+    Pool("abilities", "before what the robot can do", frozenset({"list"}), asks=True),
+    Pool("joke", "a joke that hurts nobody"),
+    Pool("riddle", "a riddle with its answer"),
+    Pool("proverb", "a proverb and what it means"),
+    Pool("curiosity", "something true and surprising"),
+    Pool("story", "a very short story"),
+    Pool("poem", "a few lines of verse of our own"),
+    Pool("prayer", "quiet words for any faith or none"),
+    Pool("breathing", "a few calm breaths together"),
     Pool("apology", "spoken when a request could not be understood at all"),
 )
 

@@ -9,6 +9,7 @@ from dialogue.engine.tree import Line, Node
 from dialogue.engine.turn import NO_WORDS, Turn
 from languages.language import NameForms
 from languages.templates import TemplateError
+from plans.engine.capabilities import can_do
 
 # Own sentences of the topic before those of its class before those from further up.
 OWN, FROM_CLASS, FROM_ABOVE = 4.0, 3.0, 1.0
@@ -101,10 +102,7 @@ def _weight(node: Node, line: Line) -> float:
 def _can_do(turn: Turn, line: Line) -> bool:
     """Say whether the activity of a proposal exists and the client can do all of it."""
     intent = turn.content.catalogue.intents.get(line.proposal.intent) if line.proposal else None
-    if intent is None:
-        return False
-    able = turn.heard.capabilities
-    return able is None or all(item.action in able for item in intent.plan)
+    return intent is not None and can_do(intent, turn.heard.capabilities)
 
 
 def _say_about(turn: Turn, node: Node, line: Line, names: Mapping[str, NameForms]) -> bool:

@@ -17,7 +17,7 @@ NO_WORDS: Mapping[str, str] = MappingProxyType({})
 
 @dataclass(frozen=True, slots=True)
 class Asking:
-    """A parameter the Plan Manager misses, and the question that asks for it."""
+    """What the agent must ask before it acts, and what waits for the answer."""
 
     pending: Pending
     question: str
@@ -29,7 +29,7 @@ class Heard:
 
     `plan_said`: a plan sentence comes first, so what it says need not be said again.
     `plan_matched`: the person asked for a plan, so the words are no topic to talk about.
-    `asking`: a parameter of that plan is missing and must be asked for.
+    `asking`: a parameter of that plan is missing, or an intent was nearly understood.
     `urgent`: help was asked for, so there is no chit-chat.
     """
 

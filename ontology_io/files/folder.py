@@ -15,10 +15,12 @@ from ontology_io.files.pools_files import read_cultures, read_pools, write_cultu
 from ontology_io.files.topics_reader import SECTIONS, Place, read_topics
 from ontology_io.files.topics_writer import write_topics
 from ontology_io.records import KnowledgeBase
-from plans.engine.intents import Library
+from plans.engine.intents import Intent, Library
 
 CULTURES, POOLS, INTENTS, NUMBERS = "cultures.yaml", "pools.yaml", "intents.yaml", "numbers.tsv"
 NOT_BRANCHES = frozenset((CULTURES, POOLS, INTENTS))
+#: The intents of the family media stand in intents_media.yaml; phrases and values in intents.yaml.
+FAMILY = re.compile(r"intents_([a-z][a-z0-9_]*)\.yaml")
 LARGEST_FILE = 2_000_000
 
 
@@ -54,12 +56,12 @@ class _Reader:
         cultures = read_cultures(*self._file(CULTURES))
         codes = tuple(culture.code for culture in cultures)
         pools = read_pools(*self._file(POOLS))
-        library = read_library(*self._file(INTENTS))
+        library = self._library()
         ledger = read_ledger(*self._file(NUMBERS))
         topics: list[Topic] = []
         places: dict[str, tuple[str, int]] = {}
         for file in sorted(self.path.glob("*.yaml")):
-            if file.name not in NOT_BRANCHES:
+            if file.name not in NOT_BRANCHES and not FAMILY.fullmatch(file.name):
                 text, problems = self._file(file.name)
                 found, where = read_topics(text, problems, codes)
                 self._twice(where, places, problems)
@@ -75,6 +77,20 @@ class _Reader:
         )
         base = KnowledgeBase(knowledge=knowledge, library=_numbered_library(library, ledger))
         return Folder(base=base, last=ledger.last, places=places)
+
+    def _library(self) -> Library:
+        """Return the intents of all families, in the order of their files' names."""
+        library = read_library(*self._file(INTENTS))
+        intents = list(library.intents)
+        for file in sorted(self.path.glob("intents_*.yaml")):
+            family = FAMILY.fullmatch(file.name)
+            if family:
+                text, problems = self._file(file.name)
+                found = read_library(text, problems, family[1])
+                if found.phrases or found.values:
+                    problems.add(1, f"Phrases and values stand in {INTENTS}.")
+                intents += found.intents
+        return msgspec.structs.replace(library, intents=tuple(intents))
 
     def _file(self, name: str) -> tuple[str, Problems]:
         problems = Problems(f"{self.path.name}/{name}")
@@ -130,7 +146,7 @@ def _numbered_library(library: Library, ledger: Ledger) -> Library:
 def write_folder(path: Path, base: KnowledgeBase, last: Mapping[str, int]) -> tuple[str, ...]:
     """Write every file; return the names of those whose bytes changed.
 
-    Files of branches that are no more go; a YAML file that holds no topics is left alone.
+    Files of branches and families that are no more go; other YAML files are left alone.
     """
     texts = folder_texts(base, last)
     path.mkdir(parents=True, exist_ok=True)
@@ -141,7 +157,7 @@ def write_folder(path: Path, base: KnowledgeBase, last: Mapping[str, int]) -> tu
             file.write_bytes(text.encode())
             changed.append(name)
     for file in path.glob("*.yaml"):
-        if file.name not in texts and _holds_topics(file):
+        if file.name not in texts and (FAMILY.fullmatch(file.name) or _holds_topics(file)):
             file.unlink()
             changed.append(file.name)
     return tuple(changed)
@@ -164,18 +180,31 @@ def folder_texts(base: KnowledgeBase, last: Mapping[str, int]) -> dict[str, str]
     texts = {
         CULTURES: write_cultures(knowledge.cultures),
         POOLS: write_pools(knowledge.pools),
-        INTENTS: write_library(base.library),
         NUMBERS: write_ledger(_numbers(base), last),
     }
+    texts |= _library_texts(base.library)
     for name, topics in _by_file(knowledge).items():
         texts[name] = write_topics(topics, classes, codes)
     return texts
 
 
+def _library_texts(library: Library) -> dict[str, str]:
+    """Return the files of intents: one for each family, one for what all of them use."""
+    families: dict[str, list[Intent]] = {"": []}
+    for intent in library.intents:
+        families.setdefault(intent.family, []).append(intent)
+    common = msgspec.structs.replace(library, intents=tuple(families.pop("")))
+    return {INTENTS: write_library(common)} | {
+        f"intents_{family}.yaml": write_library(Library(intents=tuple(intents)))
+        for family, intents in families.items()
+    }
+
+
 def file_name(branch: str) -> str:
     """Return the file of a branch: FoodAndDrink stands in food_and_drink.yaml."""
     stem = re.sub(r"(?<!^)(?=[A-Z])", "_", branch).lower()
-    return f"{stem}_topics.yaml" if f"{stem}.yaml" in NOT_BRANCHES else f"{stem}.yaml"
+    taken = f"{stem}.yaml" in NOT_BRANCHES or FAMILY.fullmatch(f"{stem}.yaml")
+    return f"{stem}_topics.yaml" if taken else f"{stem}.yaml"
 
 
 def _by_file(knowledge: Knowledge) -> dict[str, list[Topic]]:

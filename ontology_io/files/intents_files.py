@@ -1,4 +1,4 @@
-"""Read and write intents.yaml: phrases, value lists, intents with their tests."""
+"""Read and write the files of intents: phrases, value lists, intents with their tests."""
 
 from collections.abc import Mapping
 from typing import TypeVar
@@ -23,19 +23,19 @@ Said = TypeVar("Said")
 CODES = frozenset(LANGUAGES)
 NAMED_KEYS = frozenset(("id",)) | CODES
 INTENT_KEYS = frozenset(("id", "priority", "slots", "ask", "plan", "kbplan", "note")) | CODES
-SPEECH_KEYS = frozenset(("triggers", "says", "tests"))
+SPEECH_KEYS = frozenset(("can", "triggers", "says", "tests"))
 SAID_KEYS = frozenset(("only", "text"))
 REQUIRED = " required"
 ARROW, BETWEEN, MUST_NOT = " -> ", " | ", "no"
 
 
-def read_library(text: str, problems: Problems) -> Library:
-    """Return the intents of intents.yaml."""
+def read_library(text: str, problems: Problems, family: str = "") -> Library:
+    """Return what one file says; its intents are of the family the file is named for."""
     entries = parse(text, problems, SECTIONS)
     return Library(
         phrases=tuple(_phrase(value) for value in each(entries, "phrases")),
         values=tuple(_value_list(value) for value in each(entries, "values")),
-        intents=tuple(_intent(value) for value in each(entries, "intents")),
+        intents=tuple(_intent(value, family) for value in each(entries, "intents")),
     )
 
 
@@ -62,7 +62,7 @@ def _value_list(value: Value) -> ValueList:
     return ValueList(key=_text(entries, "id"), values=values)
 
 
-def _intent(value: Value) -> Intent:
+def _intent(value: Value, family: str) -> Intent:
     entries = value.known_entries(INTENT_KEYS)
     speech = {
         code: entries[code].known_entries(SPEECH_KEYS) for code in LANGUAGES if code in entries
@@ -74,8 +74,10 @@ def _intent(value: Value) -> Intent:
     return Intent(
         number=0,
         key=_text(entries, "id"),
+        family=family,
         priority=int(priority),
         slots=_slots(entries),
+        abilities={code: one["can"].text() for code, one in speech.items() if "can" in one},
         triggers=_filled({code: _texts(one, "triggers") for code, one in speech.items()}),
         plan_sentences=_filled(
             {code: tuple(map(_plan_sentence, each(one, "says"))) for code, one in speech.items()}
@@ -141,7 +143,7 @@ def _test(value: Value) -> IntentTest:
 
 
 def write_library(library: Library) -> str:
-    """Return the text of intents.yaml."""
+    """Return the text of one file with everything the library holds."""
     lines = []
     if library.phrases:
         lines.append("phrases:")
@@ -151,7 +153,8 @@ def write_library(library: Library) -> str:
         lines.append("values:")
     for value_list in library.values:
         lines += _value_list_lines(value_list)
-    lines.append("intents:")
+    if library.intents:
+        lines.append("intents:")
     for intent in library.intents:
         lines += _intent_lines(intent)
     return "\n".join(lines) + "\n"
@@ -181,9 +184,13 @@ def _intent_lines(intent: Intent) -> list[str]:
     if intent.note:
         lines.append(f"  note: {scalar(intent.note)}")
     for code in LANGUAGES:
-        if any(code in said for said in (intent.triggers, intent.plan_sentences, intent.tests)):
+        if any(code in said for said in _said(intent)):
             lines += _speech_lines(intent, code)
     return lines
+
+
+def _said(intent: Intent) -> tuple[Mapping[str, object], ...]:
+    return intent.abilities, intent.triggers, intent.plan_sentences, intent.tests
 
 
 def _speech_lines(intent: Intent, code: str) -> list[str]:
@@ -199,6 +206,8 @@ def _speech_lines(intent: Intent, code: str) -> list[str]:
         "tests": [scalar(_test_text(test)) for test in intent.tests.get(code, ())],
     }
     lines = [f"  {code}:"]
+    if code in intent.abilities:
+        lines.append(f"    can: {scalar(intent.abilities[code])}")
     for name, rows in sections.items():
         if rows:
             lines += [f"    {name}:", *(f"    - {row}" for row in rows)]

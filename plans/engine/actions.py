@@ -22,11 +22,16 @@ class Parameter:
 
 @dataclass(frozen=True, slots=True)
 class ClientAction:
-    """One action; its only free text, if any, is its last parameter."""
+    """One action; its only free text, if any, is its last parameter.
+
+    One that is not `common` is promised only to clients that name it among their capabilities:
+    nobody shall wait for a reminder that the robot cannot give.
+    """
 
     name: str
     parameters: tuple[Parameter, ...]
     meaning: str
+    common: bool = True
 
 
 def _text(name: str) -> Parameter:
@@ -35,6 +40,10 @@ def _text(name: str) -> Parameter:
 
 def _word(name: str, *values: str) -> Parameter:
     return Parameter(name, ParameterKind.WORD, values)
+
+
+def _extra(name: str, meaning: str, *parameters: Parameter) -> ClientAction:
+    return ClientAction(name, parameters, meaning, common=False)
 
 
 _LEVEL = ("high", "normal", "low", "louder", "lower", "quieter", "raise", "higher")
@@ -73,5 +82,23 @@ ACTIONS: tuple[ClientAction, ...] = (
     ClientAction("followme", (), "Follow, holding the person's hand."),
     ClientAction("registration", (), "Register a new speaker."),
     ClientAction("alert", (), "Call a member of the staff or a carer at once."),
+    _extra("timer", "Ring after so many seconds.", _word("seconds")),
+    _extra("alarm", "Ring that day at that time, HHMM.", _word("day"), _word("time")),
+    _extra(
+        "reminder",
+        "Say it after so many seconds, or that day at that time, HHMM.",
+        _word("day"),
+        _word("time"),
+        _word("seconds"),
+        _text("what"),
+    ),
+    _extra("news", "Read the news, perhaps about something.", _text("about")),
+    _extra("call", "Call a relative, a friend or a carer.", _text("who")),
+    _extra("photo", "Take a photo."),
+    _extra("dance", "Dance."),
+    _extra("light", "Switch a light.", _word("level", "on", "off", "brighter", "dimmer")),
+    _extra("brightness", "Step the brightness of its tablet.", _word("level", "higher", "lower")),
+    _extra("quiz", "Play a quiz on the tablet."),
 )
+COMMON_ACTIONS = frozenset(action.name for action in ACTIONS if action.common)
 ACTIONS_BY_NAME = {action.name: action for action in ACTIONS}

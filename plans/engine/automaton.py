@@ -6,6 +6,7 @@ kept as rows of a deterministic machine, built on first use, so a known word cos
 
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
+from itertools import chain
 
 OTHER = 0
 DIGITS = 1
@@ -22,6 +23,8 @@ class Draft:
     follow: list[int] = field(default_factory=list)
     free: int = 0
     digits: int = 0
+    closed: dict[int, frozenset[str]] = field(default_factory=dict)
+    unlisted: int = 0
 
     def add(self, word: str, slot: str) -> int:
         """Add a position that reads `word` ("" where free or digits); return its bit."""
@@ -41,6 +44,15 @@ class Draft:
         """Add a position that reads a word of digits."""
         bit = self.add("", slot)
         self.digits |= bit
+        return Piece(bit, bit, empty=False)
+
+    def add_any(self, words: frozenset[str], slot: str) -> "Piece":
+        """Add a position that reads one word of a set; of none: any one word, as a last resort."""
+        bit = self.add("", slot)
+        if words:
+            self.closed[len(self.words) - 1] = words
+        else:
+            self.unlisted |= bit
         return Piece(bit, bit, empty=False)
 
     def chain(self, words: tuple[str, ...], slot: str = "") -> "Piece":
@@ -109,34 +121,50 @@ class _Row(dict[int, "_Row"]):
 
 
 class Automaton:
-    """Reads the words of a sentence; what it learns about rows is its only change."""
+    """Reads the words of a sentence; what it learns about rows is its only change.
+
+    `start` is the bit of the place before the first word; `before[position]` are the bits that can
+    come right before a position; `literal` are the positions of words outside slots.
+    """
 
     __slots__ = (
-        "_accept",
-        "_before",
+        "_ahead",
         "_dead",
         "_first",
         "_follow",
-        "_kinds",
         "_order",
         "_reads",
         "_rows",
         "_start",
+        "accept",
+        "before",
+        "free",
+        "kinds",
+        "literal",
         "slots",
+        "start",
+        "words",
     )
 
     def __init__(self, draft: Draft, whole: Piece) -> None:
         self.slots = tuple(draft.slots)
-        self._follow = tuple(draft.follow)
+        self.words = tuple(draft.words)
+        self.start = 1 << len(draft.words)
+        self.accept = whole.last
+        self.free = draft.free
+        self._follow = (*draft.follow, whole.first)
         self._first = whole.first
-        self._accept = whole.last
-        self._kinds = {
+        self._ahead: dict[int, int] = {}
+        self.kinds = {
             word: _FIRST_WORD + number
-            for number, word in enumerate(dict.fromkeys(filter(None, draft.words)))
+            for number, word in enumerate(
+                dict.fromkeys(filter(None, chain(draft.words, *draft.closed.values())))
+            )
         }
-        self._reads = _reads(draft, self._kinds)
-        self._before = _before(draft)
+        self._reads = _reads(draft, self.kinds)
+        self.before = _before(self._follow)
         self._order = _order(draft)
+        self.literal = self._order[0]
         self._dead = _Row(self, 0)
         self._start = _Row(self, 0)
         self._rows: dict[int, _Row] = {0: self._dead}
@@ -159,53 +187,70 @@ class Automaton:
                 self._rows[reached] = row
         return row
 
+    def ahead(self, mask: int) -> int:
+        """Return every position that can come right after one of `mask`."""
+        reached = self._ahead.get(mask)
+        if reached is None:
+            reached = 0
+            for position in bits(mask):
+                reached |= self._follow[position]
+            if len(self._ahead) < _MOST_ROWS:
+                self._ahead[mask] = reached
+        return reached
+
+    def reading(self, word: str, other: int) -> int:
+        """Return the positions that read a word; `other` is its kind where it is unknown."""
+        return self._reads[self.kinds.get(word, other)]
+
     def read(self, words: tuple[str, ...], others: tuple[int, ...]) -> list[int] | None:
         """Return the position that reads each word, or None where the sentence does not fit.
 
         `others` holds OTHER or DIGITS for each word: what it is if the trigger does not know it.
         """
-        row, dead, kinds = self._start, self._dead, self._kinds
+        row, dead, kinds = self._start, self._dead, self.kinds
         masks: list[int] = []
         for word, other in zip(words, others, strict=True):
             row = row[kinds.get(word, other)]
             if row is dead:
                 return None
             masks.append(row.mask)
-        if not row.mask & self._accept:
+        if not row.mask & self.accept:
             return None
         return self._trace(masks)
 
     def _trace(self, masks: list[int]) -> list[int]:
         """Walk back from the end; a literal word is preferred to a slot, so slots stay short."""
         path: list[int] = []
-        allowed = self._accept
+        allowed = self.accept
         for mask in reversed(masks):
-            position = self._pick(mask & allowed)
+            position = self.pick(mask & allowed)
             path.append(position)
-            allowed = self._before[position]
+            allowed = self.before[position]
         path.reverse()
         return path
 
-    def _pick(self, mask: int) -> int:
+    def pick(self, mask: int) -> int:
         """Return the latest position of the best kind: of equal words the one nearer to the end."""
-        best = next(mask & preferred for preferred in self._order if mask & preferred)
+        best = next((mask & preferred for preferred in self._order if mask & preferred), mask)
         return best.bit_length() - 1
 
 
 def _reads(draft: Draft, kinds: Mapping[str, int]) -> dict[int, int]:
     """Return which positions read each kind of word."""
-    reads = {OTHER: draft.free, DIGITS: draft.free | draft.digits}
-    for position, word in enumerate(draft.words):
-        if word:
+    anything = draft.free | draft.unlisted
+    reads = {OTHER: anything, DIGITS: anything | draft.digits}
+    for position, listed in enumerate(draft.words):
+        for word in (listed,) if listed else draft.closed.get(position, ()):
             kind = kinds[word]
             usual = reads[DIGITS if word.isdecimal() else OTHER]
             reads[kind] = reads.get(kind, usual) | 1 << position
     return reads
 
 
-def _before(draft: Draft) -> tuple[int, ...]:
-    before = [0] * len(draft.follow)
-    for position, follow in enumerate(draft.follow):
+def _before(followers: tuple[int, ...]) -> tuple[int, ...]:
+    """Return what can stand before each position; the last entry of `followers` is the start."""
+    before = [0] * len(followers)
+    for position, follow in enumerate(followers):
         for after in bits(follow):
             before[after] |= 1 << position
     return tuple(before)
@@ -216,5 +261,5 @@ def _order(draft: Draft) -> tuple[int, ...]:
     literal = values = 0
     for position, (word, slot) in enumerate(zip(draft.words, draft.slots, strict=True)):
         literal |= 0 if slot else 1 << position
-        values |= 1 << position if word and slot else 0
+        values |= 1 << position if slot and (word or position in draft.closed) else 0
     return (literal, values, draft.digits, draft.free)

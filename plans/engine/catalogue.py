@@ -1,28 +1,29 @@
 """The compiled library: it knows which intent a sentence means."""
 
 import re
-from collections.abc import Mapping
-from dataclasses import dataclass
+from collections.abc import Iterator, Mapping
+from dataclasses import dataclass, replace
 from types import MappingProxyType
 
 from languages.known import LANGUAGES
 from plans.engine.intent_checks import library_problems
 from plans.engine.intents import Intent, Library
 from plans.engine.matchers.known import MATCHERS
-from plans.engine.matchers.matcher import Candidate, Matcher
-from plans.engine.matchers.patterns_compiler import CANNOT
+from plans.engine.matchers.matcher import Candidate, Matcher, Way
 from plans.engine.problems import LibraryError, Problem
+from plans.engine.sayings import Sayings, sayings_of
 
 __all__ = ["Catalogue", "IntentMatch", "LibraryError", "Problem", "compile_catalogue"]
 
 
 #: Where a sentence is cut, and the priority from which a clause is then enough: punctuation for
-#: wishes about the talk (80), conjunctions for safety (100) only.
-_CLAUSES = (
-    (re.compile(r"[,.;:!?、。；！？…]+\s*"), 80),
-    (re.compile(r"[,.;:!?、。；！？…]+\s*|\s(?:and|but|e|ma)\s"), 100),
-)
+#: wishes about the talk, conjunctions for safety only.
+WISHES, SAFETY = 80, 100
+_PUNCTUATION = re.compile(r"[,.;:!?、。；！？…]+\s*")
+_CONJUNCTIONS = re.compile(r"[,.;:!?、。；！？…]+\s*|\s(?:and|but|because|e|ma|perché)\s")
+_CLAUSES = ((_CONJUNCTIONS, SAFETY), (_PUNCTUATION, WISHES))
 MOST_CLAUSES = 8
+SHORTEST_CLAUSE = 3  # "Eh, è una storia lunga" does not ask for a repetition.
 
 
 @dataclass(frozen=True, slots=True)
@@ -30,7 +31,8 @@ class IntentMatch:
     """The best intent for a sentence; `parameters` in the person's spelling or canonical.
 
     `score` compares with other matches of the same sentence only; `runner_up` is the key of the
-    next best intent, "" where no other fits.
+    next best intent, "" where no other fits. `way` says what had to be forgiven: "words" (nothing),
+    "clause", "fillers", "spelling", or "suggestion", which is asked about and never acted on.
     """
 
     intent: Intent
@@ -39,44 +41,79 @@ class IntentMatch:
     score: tuple[int, ...]
     runner_up: str
     why: str
+    way: str = Way.WORDS.value
 
 
 @dataclass(frozen=True, slots=True)
 class Catalogue:
     """All intents of a library, ready to be matched; never changes.
 
-    `cannot` holds what is said where the robot lacks an action: "do" in general, "alert" for that
-    one -> language -> sentences.
+    `sayings` holds what the agent says about plans in general: key -> language -> sentences.
     """
 
     intents: Mapping[str, Intent]
     by_number: Mapping[int, Intent]
     matchers: Mapping[str, tuple[Matcher, ...]]
-    cannot: Mapping[str, Mapping[str, tuple[str, ...]]]
+    sayings: Sayings
 
     def match(self, sentence: str, language: str) -> IntentMatch | None:
         """Return what the sentence asks for, or None for ordinary talk.
 
         An unknown language matches nothing. Where the whole sentence asks for nothing, one clause
-        is enough for safety and for wishes about the talk: "I am so tired, I want to die".
+        is enough for safety and for wishes about the talk: "I am so tired, I want to die". Only
+        then are fillers left out ("play, you know, Volare"), and only then is spelling mended.
         """
-        return self._match_whole(sentence, language) or self._match_clause(sentence, language)
+        found = self._match_strictly(sentence, language) or (
+            self._match_whole(sentence, language, Way.FILLERS)
+            or self._match_whole(sentence, language, Way.SPELLING)
+        )
+        if found is not None:
+            self.forget(language)
+        return found
 
-    def _match_clause(self, sentence: str, language: str) -> "IntentMatch | None":
+    def suggest(self, sentence: str, language: str) -> IntentMatch | None:
+        """Return what a sentence that matches nothing may have been meant to ask, or None.
+
+        For questions only ("Did you want me to play a song?"): unknown words stand in the way, a
+        word is missing, or the spelling is too uncertain to act on.
+        """
+        found = self._match_whole(sentence, language, Way.SUGGESTION)
+        self.forget(language)
+        return found
+
+    def forget(self, language: str) -> None:
+        """Keep nothing of what was said; `suggest` and a match do this by themselves."""
+        for matcher in self.matchers.get(language, ()):
+            matcher.forget()
+
+    def _match_strictly(self, sentence: str, language: str) -> IntentMatch | None:
+        whole = self._match_whole(sentence, language, Way.WORDS)
+        if whole is None:
+            return next(self._clauses(sentence, language), None)
+        # A free slot may have swallowed a cry for help: "play Yesterday, I can't breathe".
+        for value in whole.parameters.values():
+            for pressing in self._clauses(value, language):
+                if pressing.intent.priority >= SAFETY > whole.intent.priority:
+                    return pressing
+        return whole
+
+    def _clauses(self, sentence: str, language: str) -> Iterator[IntentMatch]:
+        """Yield what a clause alone is enough for, safety first."""
         for splitter, priority in _CLAUSES:
-            clauses = [part for part in splitter.split(sentence)[:MOST_CLAUSES] if part.strip()]
-            if len(clauses) > 1:
-                matches = (self._match_whole(clause, language) for clause in clauses)
+            parts = splitter.split(sentence)[:MOST_CLAUSES]
+            clauses = [part for part in parts if len(part.strip()) >= SHORTEST_CLAUSE]
+            if len(parts) > 1:
+                matches = (self._match_whole(clause, language, Way.WORDS) for clause in clauses)
                 pressing = [one for one in matches if one and one.intent.priority >= priority]
                 if pressing:
-                    return max(pressing, key=lambda match: match.intent.priority)
-        return None
+                    best = max(pressing, key=lambda match: match.intent.priority)
+                    yield replace(best, way=Way.CLAUSE.value)
 
-    def _match_whole(self, sentence: str, language: str) -> "IntentMatch | None":
+    def _match_whole(self, sentence: str, language: str, way: Way) -> IntentMatch | None:
         for matcher in self.matchers.get(language, ()):
-            candidates = matcher.find(sentence)
+            candidates = matcher.find(sentence, way)
             if candidates:
-                return _best(candidates)
+                return _best(candidates, way)
         return None
 
 
@@ -95,11 +132,11 @@ def compile_catalogue(library: Library) -> Catalogue:
         intents=MappingProxyType({intent.key: intent for intent in library.intents}),
         by_number=MappingProxyType({intent.number: intent for intent in library.intents}),
         matchers=MappingProxyType(matchers),
-        cannot=MappingProxyType(_cannot(library)),
+        sayings=sayings_of(library),
     )
 
 
-def _best(candidates: tuple[Candidate, ...]) -> IntentMatch:
+def _best(candidates: tuple[Candidate, ...], way: Way) -> IntentMatch:
     ranked = sorted(candidates, key=lambda candidate: candidate.score, reverse=True)
     first = ranked[0]
     others = (each for each in ranked if each.intent.key != first.intent.key)
@@ -111,28 +148,17 @@ def _best(candidates: tuple[Candidate, ...]) -> IntentMatch:
         score=first.score,
         runner_up=second.intent.key if second else "",
         why=_why(first, second),
+        way=way.value,
     )
 
 
 def _why(first: Candidate, second: Candidate | None) -> str:
     words = f"'{first.trigger}' fits with {first.score[1]} literal units"
+    if first.change:
+        words = f"{first.change}; {words}"
     if second is None:
         return f"{words}; no other intent fits"
     reasons = ("priority", "literal units", "listed values", "fewer free slots", "shorter slots")
     pairs = zip(reasons, first.score, second.score, strict=True)
     reason = next((name for name, one, two in pairs if one != two), "its place in the library")
     return f"{words}; it wins over '{second.trigger}' of {second.intent.key} by {reason}"
-
-
-def _cannot(library: Library) -> dict[str, Mapping[str, tuple[str, ...]]]:
-    return {
-        phrase.key.removeprefix(CANNOT): MappingProxyType(
-            {language: _sentences(text) for language, text in phrase.texts.items()}
-        )
-        for phrase in library.phrases
-        if phrase.key.startswith(CANNOT)
-    }
-
-
-def _sentences(text: str) -> tuple[str, ...]:
-    return tuple(sentence.strip() for sentence in text.split("|") if sentence.strip())

@@ -17,6 +17,7 @@ LONGEST_VALUE = 200
 
 _SLOT = re.compile(r"\{([a-z][a-z0-9_]*)\}")
 _FORGERY = re.compile(r"action\s*=", re.IGNORECASE)
+_ONE_WORD = re.compile(r"\w+", re.ASCII)
 _NOT_IN_WORD = re.compile(r"[^\w.]+")
 _DROPPED = frozenset("#\uff03\ufe5f")
 
@@ -91,7 +92,7 @@ def _fitting(parameter: Parameter, value: str | None) -> str | None:
     """Return the value where clients can read it: word parameters are single ASCII words."""
     if value is None or parameter.kind is ParameterKind.TEXT:
         return value
-    single = value.isascii() and value.isidentifier()
+    single = _ONE_WORD.fullmatch(value) is not None
     return value if single and (not parameter.values or value in parameter.values) else None
 
 

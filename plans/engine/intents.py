@@ -2,12 +2,12 @@
 
 import msgspec
 
-SLOT_KINDS = ("text", "topic", "number")
+SLOT_KINDS = ("text", "topic", "number", "duration", "time", "date", "yes_no")
 VALUE_KIND = "value:"
 
 
 class Slot(msgspec.Struct, frozen=True, kw_only=True):
-    """A `{name}` of a trigger: `kind` is text, topic, number or `value:<list id>`.
+    """A `{name}` of a trigger: `kind` is one of SLOT_KINDS or `value:<list id>`.
 
     `questions` asks for it when it is required and missing: `{"en": "Which song?"}`.
     """
@@ -26,6 +26,11 @@ class Slot(msgspec.Struct, frozen=True, kw_only=True):
     def free(self) -> bool:
         """Say whether any words can stand in this slot (text and topic)."""
         return self.kind in ("text", "topic")
+
+    @property
+    def unbounded(self) -> bool:
+        """Say whether the words themselves do not tell where this slot begins and ends."""
+        return self.free or self.kind == "yes_no"
 
 
 class ActionItem(msgspec.Struct, frozen=True, kw_only=True):
@@ -53,12 +58,18 @@ class IntentTest(msgspec.Struct, frozen=True, kw_only=True):
 
 
 class Intent(msgspec.Struct, frozen=True, kw_only=True):
-    """One thing a person may ask for; dictionaries are keyed by language ("en")."""
+    """One thing a person may ask for; dictionaries are keyed by language ("en").
+
+    `family` groups intents for their authors ("media"). `abilities` name what the agent does for
+    it, to be put after "I can": `{"en": "play a song", "it": "mettere una canzone"}`.
+    """
 
     number: int
     key: str
+    family: str = ""
     priority: int = 50
     slots: tuple[Slot, ...] = ()
+    abilities: dict[str, str] = {}
     triggers: dict[str, tuple[str, ...]]
     plan_sentences: dict[str, tuple[PlanSentence, ...]]
     plan: tuple[ActionItem, ...] = ()

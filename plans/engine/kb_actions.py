@@ -23,5 +23,8 @@ KB_ACTIONS: tuple[KBAction, ...] = (
     KBAction("stop", (), "Say goodbye and end the talk."),
     KBAction("forget", (), "Forget what the person likes."),
     KBAction("list", (), "Name some topics there are to talk about."),
+    KBAction("abilities", (), "Say what this robot can do."),
+    KBAction("listen", ("startsentence",), "Stay with the person: c quietly, w with a question."),
+    KBAction("tell", ("kind",), "Tell a joke, a riddle, a story, ...: a line of that pool."),
 )
 KB_ACTIONS_BY_NAME = {action.name: action for action in KB_ACTIONS}

@@ -6,12 +6,14 @@ from random import Random
 from types import MappingProxyType
 
 from languages.known import LANGUAGES
+from plans.engine.capabilities import able, can_do
 from plans.engine.catalogue import Catalogue, IntentMatch
 from plans.engine.fill import FilledAction as Action
 from plans.engine.fill import clean, fill_actions, fill_text, kbplan_string, plan_string
 from plans.engine.intents import Intent, PlanSentence
+from plans.engine.sayings import CANNOT, CANNOT_ACTION, CANNOT_ALL, CANNOT_DO, DID_YOU_MEAN
 
-__all__ = ["Action", "PlanAnswer", "answer", "carry_out"]
+__all__ = ["Action", "PlanAnswer", "Question", "answer", "carry_out"]
 
 
 def _nothing() -> Mapping[str, str]:
@@ -19,11 +21,24 @@ def _nothing() -> Mapping[str, str]:
 
 
 @dataclass(frozen=True, slots=True)
+class Question:
+    """What the agent asks before it acts: "Which song?" or "Did you want me to play a song?".
+
+    `slot` is the required slot nobody filled, "" where the person only has to say yes.
+    """
+
+    intent: str
+    slot: str
+    parameters: Mapping[str, str]
+    text: str
+
+
+@dataclass(frozen=True, slots=True)
 class PlanAnswer:
     """What the Plan Manager answers; all empty when nothing matches.
 
-    `missing` is the first required slot nobody filled and `question` the sentence that asks for
-    it; the plan then carries None, so a client may also ask by itself.
+    Where `question` asks for a missing parameter the plan carries None, so a client may also ask
+    by itself; where it asks whether something was meant there is no intent and no plan.
     """
 
     intent: str = ""
@@ -34,8 +49,7 @@ class PlanAnswer:
     kbplan: str = ""
     kbplan_actions: tuple[Action, ...] = ()
     steps: tuple[str, ...] = ()
-    missing: str = ""
-    question: str = ""
+    question: Question | None = None
 
 
 @dataclass(frozen=True, slots=True)
@@ -58,10 +72,10 @@ def answer(  # noqa: PLR0913 (the circumstances of a turn, all by name)
     capabilities: Collection[str] | None = None,
 ) -> PlanAnswer:
     """Return the plan a sentence asks for; all empty when it asks for nothing."""
+    circumstances = _Circumstances(language, culture, capabilities, chance)
     match = catalogue.match(sentence, language)
     if match is None:
-        return PlanAnswer(steps=("No intent fits the sentence.",))
-    circumstances = _Circumstances(language, culture, capabilities, chance)
+        return _nearly(catalogue, sentence, circumstances)
     steps = _match_steps(match)
     return _planned(catalogue, match.intent, match.parameters, circumstances, steps)
 
@@ -85,6 +99,20 @@ def carry_out(  # noqa: PLR0913 (the circumstances of a turn, all by name)
     return _planned(catalogue, intent, parameters, circumstances, steps)
 
 
+def _nearly(catalogue: Catalogue, sentence: str, circumstances: _Circumstances) -> PlanAnswer:
+    """Return the question whether something nearly understood was meant; never a plan."""
+    nothing = PlanAnswer(steps=("No intent fits the sentence.",))
+    match = catalogue.suggest(sentence, circumstances.language)
+    if match is None or not can_do(match.intent, circumstances.capabilities):
+        return nothing
+    text = _saying(catalogue, (DID_YOU_MEAN,), match.intent, circumstances)
+    if not text:
+        return nothing
+    values = _cleaned(match.parameters)
+    question = Question(match.intent.key, "", values, text)
+    return PlanAnswer(steps=(*nothing.steps, f"Perhaps {match.why}."), question=question)
+
+
 def _match_steps(match: IntentMatch) -> tuple[str, ...]:
     runner_up = f"The runner-up is {match.runner_up}." if match.runner_up else "No runner-up."
     return (f"Intent {match.intent.key}: {match.why}.", runner_up)
@@ -97,18 +125,17 @@ def _planned(
     circumstances: _Circumstances,
     steps: tuple[str, ...],
 ) -> PlanAnswer:
-    values = {name: cleaned for name, value in parameters.items() if (cleaned := clean(value))}
+    values = _cleaned(parameters)
     wanted = fill_actions(intent.plan, values)
-    actions = _possible(wanted, circumstances.capabilities)
+    actions = tuple(one for one in wanted if able(one.action, circumstances.capabilities))
     kb_actions = fill_actions(intent.kbplan, values)
     impossible = bool(wanted) and not actions
-    missing, question = ("", "") if impossible else _missing(intent, values, circumstances)
     return PlanAnswer(
         intent=intent.key,
-        parameters=MappingProxyType(values),
+        parameters=values,
         plan_sentence=(
-            _cannot(catalogue, wanted[0].action, circumstances)
-            if impossible
+            _saying(catalogue, _cannot(wanted, actions), intent, circumstances)
+            if len(actions) < len(wanted)
             else _sentence(intent, values, circumstances)
         ),
         plan=plan_string(actions),
@@ -116,17 +143,13 @@ def _planned(
         kbplan=kbplan_string(kb_actions),
         kbplan_actions=kb_actions,
         steps=(*steps, *_capability_steps(wanted, actions)),
-        missing=missing,
-        question=question,
+        question=None if impossible else _question(intent, values, circumstances),
     )
 
 
-def _possible(
-    actions: tuple[Action, ...], capabilities: Collection[str] | None
-) -> tuple[Action, ...]:
-    if capabilities is None:
-        return actions
-    return tuple(action for action in actions if action.action in capabilities)
+def _cleaned(parameters: Mapping[str, str]) -> Mapping[str, str]:
+    cleaned = ((name, clean(value)) for name, value in parameters.items())
+    return MappingProxyType({name: value for name, value in cleaned if value})
 
 
 def _capability_steps(wanted: Iterable[Action], kept: tuple[Action, ...]) -> tuple[str, ...]:
@@ -137,21 +160,35 @@ def _capability_steps(wanted: Iterable[Action], kept: tuple[Action, ...]) -> tup
     )
 
 
-def _missing(
+def _question(
     intent: Intent, values: Mapping[str, str], circumstances: _Circumstances
-) -> tuple[str, str]:
+) -> Question | None:
+    """Return the question for the first required slot that nobody filled."""
     for slot in intent.slots:
         if slot.required and slot.name not in values:
-            return slot.name, slot.questions.get(circumstances.language, "")
-    return "", ""
+            text = slot.questions.get(circumstances.language, "")
+            return Question(intent.key, slot.name, values, text) if text else None
+    return None
 
 
-def _cannot(catalogue: Catalogue, action: str, circumstances: _Circumstances) -> str:
-    """Return why nothing is done: the action's own words, or the general ones."""
-    for name in (action, "do"):
-        sentences = catalogue.cannot.get(name, {}).get(circumstances.language, ())
-        if sentences:
-            return circumstances.chance.choice(sentences)
+def _cannot(wanted: tuple[Action, ...], actions: tuple[Action, ...]) -> tuple[str, ...]:
+    """Return the sayings that tell what cannot be done, the most fitting first."""
+    if actions:
+        return (CANNOT_ALL, CANNOT_DO)
+    return (f"{CANNOT_ACTION}{wanted[0].action}", CANNOT, CANNOT_DO)
+
+
+def _saying(
+    catalogue: Catalogue, keys: tuple[str, ...], intent: Intent, circumstances: _Circumstances
+) -> str:
+    """Return a sentence of the first saying that can be said of this intent, "" without any."""
+    language = circumstances.language
+    can = {"can": intent.abilities[language]} if language in intent.abilities else {}
+    for key in keys:
+        sentences = catalogue.sayings.get(key, {}).get(language, ())
+        said = [text for one in sentences if (text := fill_text(one, can)) is not None]
+        if said:
+            return circumstances.chance.choice(said)
     return ""
 
 

@@ -5,7 +5,7 @@ phrase of the library and `{x}` a slot. In languages with spaces a bracket alway
 """
 
 import re
-from collections.abc import Callable, Iterator, Mapping
+from collections.abc import Callable, Container, Iterator, Mapping
 from dataclasses import dataclass
 from functools import reduce
 from random import Random
@@ -211,18 +211,23 @@ def _ways(part: Part, phrases: Mapping[str, Sequence]) -> int:
     return 1
 
 
-def always_literal(sequence: Sequence, phrases: Mapping[str, Sequence]) -> bool:
-    """Say whether every wording contains a word of its own, not only slots."""
-    return any(_part_literal(part, phrases) for part in sequence.parts)
+def always_literal(
+    sequence: Sequence, phrases: Mapping[str, Sequence], listed: Container[str] = ()
+) -> bool:
+    """Say whether every wording contains words that are known beforehand.
+
+    They are its own or those of a value list; `listed` names the slots that have one.
+    """
+    return any(_part_literal(part, phrases, listed) for part in sequence.parts)
 
 
-def _part_literal(part: Part, phrases: Mapping[str, Sequence]) -> bool:
+def _part_literal(part: Part, phrases: Mapping[str, Sequence], listed: Container[str]) -> bool:
     if isinstance(part, PhraseUse):
-        return always_literal(phrases[part.name], phrases)
+        return always_literal(phrases[part.name], phrases, listed)
     if isinstance(part, Choice):
-        inner = (always_literal(option, phrases) for option in part.options)
+        inner = (always_literal(option, phrases, listed) for option in part.options)
         return not part.optional and all(inner)
-    return isinstance(part, Word)
+    return isinstance(part, Word) or part.name in listed
 
 
 def sample(

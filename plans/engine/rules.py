@@ -51,7 +51,8 @@ def breaches(
     yield from unknown
     if unknown:
         return
-    if not always_literal(sequence, phrases):
+    listed = {name for name, slot in slots.items() if slot.list_key}
+    if not always_literal(sequence, phrases, listed):
         yield Breach("A wording without any word of its own")
     size = expansions(sequence, phrases)
     if size > MOST_EXPANSIONS:
@@ -59,7 +60,7 @@ def breaches(
     if _edges_of(sequence, slots).meet:
         yield Breach("Two free slots without a word between them")
     uses = _uses(sequence)
-    if sum(number for name, number in uses.items() if slots[name].free) > MOST_FREE_SLOTS:
+    if sum(number for name, number in uses.items() if slots[name].unbounded) > MOST_FREE_SLOTS:
         yield Breach(f"More than {MOST_FREE_SLOTS} free slots in one wording")
     for name, number in uses.items():
         if number > 1:
@@ -107,7 +108,7 @@ def _edges_of(sequence: Sequence, slots: Mapping[str, Slot]) -> _Edges:
 
 def _part_edges(part: Part, slots: Mapping[str, Slot]) -> _Edges:
     if isinstance(part, SlotUse):
-        return _FREE if slots[part.name].free else _LITERAL
+        return _FREE if slots[part.name].unbounded else _LITERAL
     if not isinstance(part, Choice):
         return _LITERAL
     options = [_edges_of(option, slots) for option in part.options]

@@ -1,8 +1,10 @@
 """What the words standing in a slot mean: canonical values, numbers, trimmed topics."""
 
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+from languages.language import Attitude
+from languages.spoken.shape import Spoken, yes_or_no
 from plans.engine.intents import Slot
 from plans.engine.reading import Reading
 
@@ -25,13 +27,16 @@ UNSPACED_LIMITS = Limits(topic=16, text=50)
 class SlotWords:
     """The words of one language that slots need; all in units.
 
+    `spoken` reads numbers, lengths, times and days; `attitude` answers to yes/no questions.
+
     `topic_edges` are cut off a topic ("the", "very much"), `not_a_topic` is refused as a whole
     topic ("it"), `not_in_topic` is refused anywhere in it ("because").
     """
 
     limits: Limits
     values: Mapping[str, Mapping[Units, str]]
-    numbers: Mapping[Units, str]
+    spoken: Spoken
+    attitude: Callable[[str], Attitude]
     topic_edges: frozenset[Units]
     not_a_topic: frozenset[Units]
     not_in_topic: frozenset[Units]
@@ -50,15 +55,18 @@ class SlotWords:
         """Return what the units from `start` to `end` say, or None where they do not fit."""
         if slot.list_key:
             return self.values[slot.list_key].get(reading.units[start:end])
-        if slot.kind == "number":
-            return self._number(reading.units[start:end])
+        if slot.kind in self.spoken.kinds or slot.kind == "yes_no":
+            return self._spoken(slot.kind, reading, start, end)
         if slot.kind == "topic":
             return self._topic(reading, start, end)
         return reading.original(start, end) if end - start <= self.limits.text else None
 
-    def _number(self, units: Units) -> str | None:
-        digits = "".join(units)
-        return str(int(digits)) if digits.isdecimal() else self.numbers.get(units)
+    def _spoken(self, kind: str, reading: Reading, start: int, end: int) -> str | None:
+        if end - start > self.spoken.most_units:
+            return None
+        if kind == "yes_no":
+            return yes_or_no(self.attitude(reading.original(start, end)))
+        return self.spoken.kinds[kind].parse(reading.units[start:end])
 
     def _topic(self, reading: Reading, start: int, end: int) -> str | None:
         start, end = self._trimmed(reading.units, start, end)

@@ -3,9 +3,10 @@
 from collections.abc import Callable, Mapping
 from dataclasses import dataclass
 
+from languages.spoken.shape import Spoken, SpokenKind
 from plans.engine.automaton import EMPTY, Automaton, Draft, Piece, either
 from plans.engine.intents import Intent, Slot
-from plans.engine.patterns import Choice, Part, PhraseUse, Sequence, SlotUse, Word, parts_of
+from plans.engine.patterns import Part, PhraseUse, Sequence, SlotUse, Word, parts_of
 
 Units = tuple[str, ...]
 Clause = frozenset[str]
@@ -20,7 +21,7 @@ class Lexicon:
     units: Callable[[str], Units]
     phrases: Mapping[str, Sequence]
     values: Mapping[str, Mapping[Units, str]]
-    numbers: Mapping[Units, str]
+    spoken: Spoken
 
 
 class Template:
@@ -32,7 +33,7 @@ class Template:
         self.intent = intent
         self.trigger = trigger
         self.slots = {slot.name: slot for slot in intent.slots}
-        self.clauses = _clauses(sequence, lexicon)
+        self.clauses = _clauses(sequence, lexicon, self.slots)
         self.sequence = sequence
         self._lexicon = lexicon
         self._machine: Automaton | None = None
@@ -72,32 +73,56 @@ def _length(option: Sequence) -> int:
 
 
 def _build_slot(slot: Slot, draft: Draft, lexicon: Lexicon) -> Piece:
-    if slot.free:
+    if slot.unbounded:
         return draft.add_free(slot.name)
     if slot.list_key:
         return either([draft.chain(words, slot.name) for words in lexicon.values[slot.list_key]])
-    words = [draft.chain(words, slot.name) for words in lexicon.numbers]
-    return either([draft.add_digits(slot.name), *words])
+    return _build_spoken(slot, draft, lexicon.spoken.kinds[slot.kind])
 
 
-def _clauses(sequence: Sequence, lexicon: Lexicon) -> tuple[Clause, ...]:
+def _build_spoken(slot: Slot, draft: Draft, kind: SpokenKind) -> Piece:
+    """Return the piece that reads any words of a kind; whether they mean anything is seen later."""
+    unlisted = [draft.add_any(frozenset(), slot.name)] if kind.unlisted else []
+    words = [draft.add_digits(slot.name), draft.add_any(kind.words, slot.name), *unlisted]
+    body = either(words)
+    draft.join(body, body)
+    if not kind.openers:
+        return body
+    openers = draft.add_any(kind.openers, slot.name)
+    draft.join(openers, openers)
+    return draft.join(either([EMPTY, openers]), body)
+
+
+def _clauses(sequence: Sequence, lexicon: Lexicon, slots: Mapping[str, Slot]) -> tuple[Clause, ...]:
     """Return sets of index keys; every wording has at least one key of each set."""
     found: list[Clause] = []
     for part in sequence.parts:
-        found += _part_clauses(part, lexicon)
+        found += _part_clauses(part, lexicon, slots)
     return tuple(found)
 
 
-def _part_clauses(part: Part, lexicon: Lexicon) -> tuple[Clause, ...]:
+def _part_clauses(part: Part, lexicon: Lexicon, slots: Mapping[str, Slot]) -> tuple[Clause, ...]:
     if isinstance(part, Word):
-        return tuple(Clause((key,)) for key in index_keys(lexicon.units(part.text), lexicon.spaced))
+        return _word_clauses(lexicon.units(part.text), lexicon)
     if isinstance(part, PhraseUse):
-        return _clauses(lexicon.phrases[part.name], lexicon)
-    if isinstance(part, Choice) and not part.optional:
-        options = [_clauses(option, lexicon) for option in part.options]
-        if all(options):
-            return (Clause().union(*(_shortest(option) for option in options)),)
+        return _clauses(lexicon.phrases[part.name], lexicon, slots)
+    if isinstance(part, SlotUse):
+        listed = lexicon.values.get(slots[part.name].list_key, {})
+        return _any_of([_word_clauses(words, lexicon) for words in listed])
+    if not part.optional:
+        return _any_of([_clauses(option, lexicon, slots) for option in part.options])
     return ()
+
+
+def _word_clauses(units: Units, lexicon: Lexicon) -> tuple[Clause, ...]:
+    return tuple(Clause((key,)) for key in index_keys(units, lexicon.spaced))
+
+
+def _any_of(options: list[tuple[Clause, ...]]) -> tuple[Clause, ...]:
+    """Return one clause with a key of each option; none where an option has no key."""
+    if not options or not all(options):
+        return ()
+    return (Clause().union(*(_shortest(option) for option in options)),)
 
 
 def _shortest(clauses: tuple[Clause, ...]) -> Clause:

@@ -245,7 +245,7 @@ def test_a_new_culture_needs_nothing_else_to_be_published(admin_client: Client) 
         (ValueList, "values", '{"en": {"louder": ["a|b"]}}', "write words one by one"),
         (ValueList, "values", '{"en": {"louder": [1]}}', "must be a text"),
         (Intent, "priority", "101", "less than or equal to 100"),
-        (Intent, "slots__0__kind", "word", "Write text, topic, number or value:"),
+        (Intent, "slots__0__kind", "word", "Write text, topic, number, duration"),
         (Intent, "slots__0__questions", '{"en": ["a"]}', "must be a text"),
         (Intent, "triggers__0__text", "play {title", "at position 5 of"),
         (Intent, "plan_sentences__0__only", "Japan", "Write codes of cultures"),

@@ -14,6 +14,7 @@ EMPTY = {
     "plan_actions": [],
     "kbplan": "",
     "kbplan_actions": [],
+    "question": None,
 }
 
 
@@ -101,3 +102,17 @@ def test_intents_come_in_a_stable_order(api: Api) -> None:
     names = [one["name"] for one in api.get("intents/")]
     assert names == [one["name"] for one in api.get("intents/")]
     assert all(one != other for one, other in pairwise(names))
+
+
+def test_what_is_missing_is_a_question(api: Api) -> None:
+    answer = api.post("plan/", client_sentence="look something up for me", language="en")
+    assert answer["plan"] == "#action=wikisearch what=None"
+    assert answer["question"]["slot"] == "what"
+    assert answer["question"]["text"]
+
+
+def test_what_was_nearly_understood_is_a_question_and_no_plan(api: Api) -> None:
+    answer = api.post("plan/", client_sentence="brightly step to the left", language="en")
+    assert (answer["intent"], answer["plan"]) == ("", "")
+    assert answer["question"]["intent"] == "move"
+    assert answer["question"]["parameters"] == {"where": "left"}

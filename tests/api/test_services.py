@@ -91,3 +91,14 @@ def test_a_silent_dialogue_manager_is_told(api: Api, settings: Settings) -> None
     settings.CAIR_DIALOGUE_MANAGER_URL = "http://127.0.0.1:9/"
     body = json.dumps({"client_sentence": "x"}).encode()
     assert api.send("hub/", body).status_code == 503
+
+
+def test_a_missing_parameter_is_asked_for_across_services(
+    api: Api, settings: Settings, elsewhere: str
+) -> None:
+    for name in ("plan", "dialogue"):
+        setattr(settings, f"CAIR_{name.upper()}_MANAGER_URL", f"{elsewhere}/api/v1/{name}/")
+    asked = api.post("hub/", client_sentence="look something up for me", dialogue_state=api.start())
+    assert (asked["plan"], asked["sentence_type"]) == ("", "e")
+    answer = api.post("hub/", client_sentence="Dante", dialogue_state=asked["dialogue_state"])
+    assert answer["plan"] == "#action=wikisearch what=Dante"

@@ -70,6 +70,7 @@ intents:
   plan: "#action=playsong title={title}"
   note: The song of Mrs Smith.
   en:
+    can: play a song
     triggers:
     - (play|put on) [the song] {title}
     says:

@@ -1,10 +1,15 @@
 """intents.yaml: phrases, value lists and intents are read and written without loss."""
 
+from pathlib import Path
+
+import msgspec
+import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
+from ontology_io.files.folder import folder_texts, read_folder, write_folder
 from ontology_io.files.intents_files import read_library, write_library
-from ontology_io.files.nodes import Problems
+from ontology_io.files.nodes import ContentError, Problems
 from plans.engine.intents import (
     ActionItem,
     Intent,
@@ -15,7 +20,7 @@ from plans.engine.intents import (
     Slot,
     ValueList,
 )
-from tests.ontology.small_content import INTENTS
+from tests.ontology.small_content import INTENTS, write_files
 
 
 def read(text: str) -> Library:
@@ -87,3 +92,30 @@ def libraries(draw: st.DrawFn) -> Library:
 @given(libraries())
 def test_any_library_reads_as_it_was_written(library: Library) -> None:
     assert read(write_library(library)) == library
+
+
+def test_each_family_has_a_file_of_its_own(tmp_path: Path) -> None:
+    media = INTENTS.partition("intents:\n")[2]
+    talk = media.replace("id: playsong", "id: stop")
+    write_files(tmp_path, intents_media=f"intents:\n{media}", intents_talk=f"intents:\n{talk}")
+    write_files(tmp_path, intents=INTENTS.partition("intents:\n")[0])
+    folder = read_folder(tmp_path)
+    families = [(intent.family, intent.key) for intent in folder.base.library.intents]
+    assert families == [("media", "playsong"), ("talk", "stop")]
+    texts = folder_texts(folder.base, folder.last)
+    assert texts["intents_talk.yaml"] == f"intents:\n{talk}"
+
+
+def test_the_file_of_a_family_that_is_gone_goes(tmp_path: Path) -> None:
+    media = INTENTS.partition("intents:\n")[2]
+    write_files(tmp_path, intents_media=f"intents:\n{media}", intents="intents: []\n")
+    folder = read_folder(tmp_path)
+    none = msgspec.structs.replace(folder.base, library=Library())
+    assert "intents_media.yaml" in write_folder(tmp_path, none, folder.last)
+    assert not (tmp_path / "intents_media.yaml").exists()
+
+
+def test_phrases_in_the_file_of_a_family_are_refused(tmp_path: Path) -> None:
+    write_files(tmp_path, intents_media=INTENTS.replace("playsong", "playfilm"))
+    with pytest.raises(ContentError, match="Phrases and values stand in intents"):
+        read_folder(tmp_path)

@@ -220,7 +220,7 @@ def test_a_file_from_windows_is_read(tmp_path: Path) -> None:
         ("intents", "intent: []", "1: 'intent' is not known here; use intents, phrases, values."),
         ("intents", INTENTS.replace("50", "500"), "9: The priority '500' must be a number 0 to 1"),
         ("intents", INTENTS.replace('"#act', '"act'), "13: A plan begins with '#action='"),
-        ("intents", INTENTS.replace("triggers", "trigger", 1), "16: 'trigger' is not known here"),
+        ("intents", INTENTS.replace("triggers", "trigger", 1), "17: 'trigger' is not known here"),
     ],
 )
 def test_the_other_files_say_their_problems_too(

@@ -4,9 +4,11 @@ from collections.abc import Iterable, Iterator
 from functools import cache, partial
 
 from languages.language import Language
+from languages.spoken.known import SPOKEN
 from plans.engine.intents import Intent, Library
-from plans.engine.matchers.patterns_matcher import PatternMatcher, build_index
-from plans.engine.numbers import number_words
+from plans.engine.matchers.patterns_hearing import Knowledge
+from plans.engine.matchers.patterns_index import build_index
+from plans.engine.matchers.patterns_matcher import PatternMatcher
 from plans.engine.patterns import (
     PatternError,
     Sequence,
@@ -16,21 +18,26 @@ from plans.engine.patterns import (
     parts_of,
 )
 from plans.engine.problems import Problem
-from plans.engine.reading import Edges, Vocabulary, units_of
+from plans.engine.reading import Edges, Fillers, units_of
 from plans.engine.rules import Breach, breaches, phrase_breaches
+from plans.engine.sayings import is_saying
 from plans.engine.slots import SPACED_LIMITS, UNSPACED_LIMITS, SlotWords
 from plans.engine.templates import Lexicon, Template
+from plans.engine.vocabulary import Vocabulary
 from plans.engine.wordings import wordings
 
 Units = tuple[str, ...]
 
-# Phrases with a meaning of their own for the engine; those with CANNOT are plain text, no patterns.
+# Phrases with a meaning of their own for the engine.
 SKIP_START = "skip_start"
 SKIP_END = "skip_end"
+SOUNDS = "hesitations"
+FILLERS = "fillers"
 TOPIC_EDGES = "topic_edges"
 NOT_A_TOPIC = "not_a_topic"
 NOT_IN_TOPIC = "not_in_topic"
-CANNOT = "cannot_"
+SHORTEST_ASIDE = 2
+SHORTEST_ASIDE_CHARACTERS = 4
 
 
 def compile_patterns(
@@ -39,20 +46,26 @@ def compile_patterns(
     """Return the matcher of a language; what is wrong is left out and added to `problems`."""
     lexicon = _lexicon(library, language, problems)
     templates: list[Template] = []
-    words = set(_phrase_words(lexicon))
+    words = {*_phrase_words(lexicon), *_spoken_words(library, lexicon)}
     for intent in library.intents:
         for trigger in intent.triggers.get(language.code, ()):
             template = _template(intent, trigger, language.code, lexicon, problems)
             if template is not None:
                 templates.append(template)
                 words.update(_literals(template.sequence, lexicon))
-    return PatternMatcher(
-        language=language,
-        index=build_index(templates),
+    fillers = _listed(FILLERS, lexicon)
+    aside = SHORTEST_ASIDE if language.spaced else SHORTEST_ASIDE_CHARACTERS
+    knowledge = Knowledge(
+        spaced=language.spaced,
+        index=build_index(templates, spaced=language.spaced),
         vocabulary=Vocabulary(language, words),
         edges=Edges(_listed(SKIP_START, lexicon), _listed(SKIP_END, lexicon)),
-        slot_words=_slot_words(lexicon),
+        sounds=Fillers(_listed(SOUNDS, lexicon)),
+        fillers=Fillers(fillers),
+        asides=Fillers(filler for filler in fillers if len(filler) >= aside),
+        slot_words=_slot_words(lexicon, language),
     )
+    return PatternMatcher(language, knowledge)
 
 
 def _template(
@@ -95,7 +108,7 @@ def _lexicon(library: Library, language: Language, problems: list[Problem]) -> L
         units=units,
         phrases=dict(_phrases(library, language.code, problems)),
         values=values,
-        numbers={units(word): digits for word, digits in number_words(language.code).items()},
+        spoken=SPOKEN[language.code],
     )
 
 
@@ -104,7 +117,7 @@ def _phrases(
 ) -> Iterator[tuple[str, Sequence]]:
     for phrase in library.phrases:
         text, where = phrase.texts.get(language, ""), f"<{phrase.key}>"
-        if not text or phrase.key.startswith(CANNOT):
+        if not text or is_saying(phrase.key):
             continue
         try:
             sequence = parse_options(text)
@@ -118,12 +131,19 @@ def _phrases(
 
 
 def _phrase_words(lexicon: Lexicon) -> Iterator[str]:
-    """Yield every word of phrases, value lists and numbers."""
+    """Yield every word of phrases and value lists."""
     for sequence in lexicon.phrases.values():
         yield from _literals(sequence, lexicon)
-    for listed in (*lexicon.values.values(), lexicon.numbers):
+    for listed in lexicon.values.values():
         for units in listed:
             yield from units
+
+
+def _spoken_words(library: Library, lexicon: Lexicon) -> Iterator[str]:
+    """Yield the words of the spoken kinds in use; the shortest are never spelt wrong."""
+    used = {slot.kind for intent in library.intents for slot in intent.slots}
+    for kind in used & lexicon.spoken.kinds.keys():
+        yield from filter(lambda word: len(word) > 2, lexicon.spoken.kinds[kind].words)
 
 
 def _literals(sequence: Sequence, lexicon: Lexicon) -> Iterator[str]:
@@ -137,11 +157,12 @@ def _listed(key: str, lexicon: Lexicon) -> frozenset[Units]:
     return wordings(sequence, lexicon.units) - {()} if sequence else frozenset()
 
 
-def _slot_words(lexicon: Lexicon) -> SlotWords:
+def _slot_words(lexicon: Lexicon, language: Language) -> SlotWords:
     return SlotWords(
         limits=SPACED_LIMITS if lexicon.spaced else UNSPACED_LIMITS,
         values=lexicon.values,
-        numbers=lexicon.numbers,
+        spoken=lexicon.spoken,
+        attitude=language.attitude,
         topic_edges=_listed(TOPIC_EDGES, lexicon),
         not_a_topic=_listed(NOT_A_TOPIC, lexicon),
         not_in_topic=_listed(NOT_IN_TOPIC, lexicon),

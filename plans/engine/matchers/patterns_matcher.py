@@ -1,103 +1,142 @@
 """Matching by trigger sentences: an index of rare words first, then one machine per trigger."""
 
-from collections import Counter, defaultdict
 from collections.abc import Iterable, Iterator
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from languages.language import Language
-from plans.engine.matchers.matcher import Candidate
-from plans.engine.reading import Edges, Reading, Vocabulary, read
-from plans.engine.slots import SlotWords
-from plans.engine.templates import Clause, Template, sentence_keys
+from plans.engine.matchers.candidates import candidate_of, fit_of
+from plans.engine.matchers.matcher import Candidate, NearMiss, Way
+from plans.engine.matchers.patterns_faults import near_misses
+from plans.engine.matchers.patterns_hearing import Hearing, Knowledge, Spelt
+from plans.engine.matchers.patterns_spelling import spelt
+from plans.engine.matchers.patterns_suggest import suggested
+from plans.engine.reading import Reading, read, without
+from plans.engine.templates import Template, sentence_keys
+
+_MOST_REMEMBERED = 16
+_MOST_FILLERS = 4
+#: What is left without fillers must still be words: そうですねえ does not ask え？
+_SHORTEST_REST = 3
+#: A request is short; a longer sentence is a story and is taken at its word.
+_LONGEST_MENDED = 16
+_LONGEST_MENDED_CHARACTERS = 40
 
 
 @dataclass(frozen=True, slots=True)
 class PatternMatcher:
-    """All triggers of one language; `index` holds each under its rarest required words."""
+    """All triggers of one language; its passes share the reading of a sentence."""
 
     language: Language
-    index: dict[str, tuple[Template, ...]]
-    vocabulary: Vocabulary
-    edges: Edges
-    slot_words: SlotWords
+    knowledge: Knowledge
+    _heard: dict[str, Hearing | None] = field(default_factory=dict, repr=False, compare=False)
 
-    def find(self, sentence: str) -> tuple[Candidate, ...]:
+    def find(self, sentence: str, way: Way = Way.WORDS) -> tuple[Candidate, ...]:
         """Return every intent with a trigger the whole sentence fits, skip words aside."""
-        reading = read(sentence, self.language, self.vocabulary)
-        if reading is None or not reading.units:
+        hearing = self._hear(sentence)
+        if hearing is None:
             return ()
-        templates = self._possible(reading)
-        if not templates:
+        if way == Way.WORDS:
+            return () if hearing.reading.sounds else self._fitting_all(hearing)
+        if way == Way.FILLERS:
+            return self._without_fillers(hearing)
+        if len(hearing.reading.units) > self._longest:
             return ()
-        return tuple(
-            candidate
-            for start, end in self.edges.ranges(reading.units)
-            for candidate in self._fitting(templates, reading, start, end)
-        )
+        return self._mended(hearing) if way == Way.SPELLING else self._asked(hearing)
 
-    def _possible(self, reading: Reading) -> list[Template]:
-        keys = sentence_keys(reading.units, self.language.spaced)
-        possible: dict[Template, None] = {}
-        for key in keys & self.index.keys():
-            possible.update(dict.fromkeys(self.index[key]))
-        return [
-            template
-            for template in possible
-            if not any(clause.isdisjoint(keys) for clause in template.clauses)
-        ]
+    @property
+    def _longest(self) -> int:
+        return _LONGEST_MENDED if self.knowledge.spaced else _LONGEST_MENDED_CHARACTERS
+
+    def _mended(self, hearing: Hearing) -> tuple[Candidate, ...]:
+        return tuple([each.candidate for each in self._spelt(hearing) if each.acts])
+
+    def _asked(self, hearing: Hearing) -> tuple[Candidate, ...]:
+        asked = tuple([each.candidate for each in self._spelt(hearing) if not each.acts])
+        return asked or tuple(suggested(hearing, self.knowledge))
+
+    def forget(self) -> None:
+        """Keep nothing of what was said: the turn is over."""
+        self._heard.clear()
+
+    def words(self, sentence: str) -> tuple[str, ...]:
+        """Return the words as they are read: small letters, accents as in the triggers."""
+        hearing = self._hear(sentence)
+        return hearing.reading.units if hearing else ()
+
+    def near(self, sentence: str, most: int) -> tuple[NearMiss, ...]:
+        """Return up to `most` triggers that almost fit, the nearest first."""
+        hearing = self._hear(sentence)
+        return near_misses(hearing, self.knowledge, most) if hearing else ()
+
+    def _hear(self, sentence: str) -> Hearing | None:
+        # Another thread may forget in between, so the look-up is one step.
+        try:
+            return self._heard[sentence]
+        except KeyError:
+            pass
+        if len(self._heard) >= _MOST_REMEMBERED:
+            self._heard.clear()
+        known = self.knowledge
+        reading = read(sentence, self.language, known.vocabulary, known.sounds)
+        hearing = None
+        if reading is not None and reading.units:
+            keys = sentence_keys(reading.units, known.spaced)
+            hearing = Hearing(reading, keys, known.index.possible(keys))
+        self._heard[sentence] = hearing
+        return hearing
+
+    def _fitting_all(self, hearing: Hearing) -> tuple[Candidate, ...]:
+        if not hearing.possible:
+            return ()
+        return tuple(self._fitting(hearing.possible, hearing.reading, ""))
 
     def _fitting(
-        self, templates: Iterable[Template], reading: Reading, start: int, end: int
+        self, templates: Iterable[Template], reading: Reading, change: str
     ) -> Iterator[Candidate]:
-        units, others = reading.units[start:end], reading.others[start:end]
-        for template in templates:
-            path = template.machine.read(units, others)
-            if path is not None:
-                candidate = self._candidate(template, reading, start, path)
-                if candidate is not None:
-                    yield candidate
+        for start, end in self.knowledge.edges.ranges(reading.units):
+            units, others = reading.units[start:end], reading.others[start:end]
+            for template in templates:
+                path = template.machine.read(units, others)
+                if path is not None:
+                    fit = fit_of(template, reading, start, path)
+                    candidate = candidate_of(fit, self.knowledge, change)
+                    if candidate is not None:
+                        yield candidate
 
-    def _candidate(
-        self, template: Template, reading: Reading, offset: int, path: list[int]
-    ) -> Candidate | None:
-        names = [template.machine.slots[position] for position in path]
-        parameters: dict[str, str] = {}
-        literal = names.count("")
-        values = free = free_units = 0
-        for name, start, end in _stretches(names):
-            slot = template.slots[name]
-            value = self.slot_words.value(slot, reading, offset + start, offset + end)
-            if value is None:
-                return None
-            parameters[name] = value
-            values += not slot.free
-            free += slot.free
-            free_units += end - start if slot.free else 0
-        score = (template.intent.priority, literal, values, -free, -free_units)
-        return Candidate(template.intent, template.trigger, parameters, score)
+    def _without_fillers(self, hearing: Hearing) -> tuple[Candidate, ...]:
+        if hearing.reading.sounds:
+            found = tuple(self._fitting(hearing.possible, hearing.reading, "a hesitation"))
+            if found:
+                return found
+        fillers = self.knowledge.fillers.runs(hearing.reading.units)
+        if not fillers:
+            return ()
+        every = tuple(place for run in fillers for place in run)
+        singly = fillers[:_MOST_FILLERS] if len(fillers) > 1 else ()
+        # One at a time first: "kindly play Just the Way You Are" keeps its title.
+        for places in (*singly, every):
+            found = self._leaving_out(hearing, places)
+            if found:
+                return found
+        return ()
 
+    def _leaving_out(self, hearing: Hearing, places: Iterable[int]) -> tuple[Candidate, ...]:
+        reading = hearing.reading
+        shorter = without(reading, places, sounds=reading.sounds)
+        if sum(map(len, shorter.units)) < _SHORTEST_REST:
+            return ()
+        known = self.knowledge
+        # Without spaces, new neighbours make new keys.
+        possible = (
+            hearing.possible
+            if known.spaced
+            else known.index.possible(sentence_keys(shorter.units, spaced=False))
+        )
+        blank = " " if known.spaced else ""
+        said = blank.join(reading.units[place] for place in places)
+        return tuple(self._fitting(possible, shorter, f"'{said}' was left out"))
 
-def _stretches(names: list[str]) -> list[tuple[str, int, int]]:
-    """Return each slot with the range of units it covers."""
-    found: list[tuple[str, int, int]] = []
-    for place, name in enumerate(names):
-        if name and found and found[-1][0] == name and found[-1][2] == place:
-            found[-1] = (name, found[-1][1], place + 1)
-        elif name:
-            found.append((name, place, place + 1))
-    return found
-
-
-def build_index(templates: Iterable[Template]) -> dict[str, tuple[Template, ...]]:
-    """Return the templates under the keys of their rarest clause."""
-    kept = tuple(templates)
-    counts = Counter(key for template in kept for clause in template.clauses for key in clause)
-    index: defaultdict[str, list[Template]] = defaultdict(list)
-    for template in kept:
-        for key in min(template.clauses, key=lambda clause: _weight(clause, counts)):
-            index[key].append(template)
-    return {key: tuple(listed) for key, listed in index.items()}
-
-
-def _weight(clause: Clause, counts: Counter[str]) -> tuple[int, int]:
-    return sum(counts[key] for key in clause), -min(map(len, clause))
+    def _spelt(self, hearing: Hearing) -> tuple[Spelt, ...]:
+        if hearing.spelt is None:
+            hearing.spelt = spelt(hearing, self.knowledge)
+        return hearing.spelt

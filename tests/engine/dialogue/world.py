@@ -229,6 +229,8 @@ TOPICS = (
 PLAYSONG = Intent(
     number=1,
     key="playsong",
+    family="media",
+    abilities={"en": "play a song", "it": "mettere una canzone", "ja": "音楽をかける"},
     slots=(Slot(name="title"),),
     triggers={"en": ("play {title}",)},
     plan_sentences={"en": (PlanSentence(text="I play {title}."),)},
@@ -237,6 +239,8 @@ PLAYSONG = Intent(
 WAVE = Intent(
     number=2,
     key="wave",
+    family="robot",
+    abilities={"en": "wave", "it": "salutare con la mano", "ja": "手を振る"},
     triggers={"en": ("wave",)},
     plan_sentences={},
     plan=parse_plan("#action=attention"),

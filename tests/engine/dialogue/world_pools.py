@@ -1,6 +1,51 @@
 """The pools of the small world: two or three sentences each, in three languages."""
 
 _TABLE = {
+    "abilities": (
+        "I can $list.|Among other things, I can $list.",
+        "So $list.|Per esempio so $list.",
+        "$listことができます。|たとえば$listことです。",
+    ),
+    "joke": (
+        "A joke.|Another joke.",
+        "Ecco: barzelletta.|Ancora: barzelletta.",
+        "冗談です。|もう一つの冗談です。",
+    ),
+    "riddle": (
+        "A riddle.|Another riddle.",
+        "Ecco: indovinello.|Ancora: indovinello.",
+        "なぞなぞです。|もう一つのなぞなぞです。",
+    ),
+    "proverb": (
+        "A proverb.|Another proverb.",
+        "Ecco: proverbio.|Ancora: proverbio.",
+        "ことわざです。|もう一つのことわざです。",
+    ),
+    "curiosity": (
+        "A curiosity.|Another curiosity.",
+        "Ecco: curiosità.|Ancora: curiosità.",
+        "豆知識です。|もう一つの豆知識です。",
+    ),
+    "story": (
+        "A story.|Another story.",
+        "Ecco: storia.|Ancora: storia.",
+        "お話です。|もう一つのお話です。",
+    ),
+    "poem": (
+        "A poem.|Another poem.",
+        "Ecco: poesia.|Ancora: poesia.",
+        "詩です。|もう一つの詩です。",
+    ),
+    "prayer": (
+        "A prayer.|Another prayer.",
+        "Ecco: preghiera.|Ancora: preghiera.",
+        "お祈りです。|もう一つのお祈りです。",
+    ),
+    "breathing": (
+        "A breath.|Another breath.",
+        "Ecco: respiro.|Ancora: respiro.",
+        "呼吸です。|もう一つの呼吸です。",
+    ),
     "start": (
         "Hello, $name!|Good to see you.",
         "Ciao, $name!|Che bello vederti.",

@@ -2,6 +2,7 @@
 
 from random import Random
 
+from plans.engine.alignment import Alignment, Errors, align
 from plans.engine.automaton import EMPTY, OTHER, Automaton, Draft, either
 
 
@@ -30,3 +31,60 @@ def test_an_empty_draft_reads_only_what_was_joined() -> None:
     machine = Automaton(draft, whole)
     assert machine.read(("play", "it"), (OTHER, OTHER)) == [0, 1]
     assert machine.read(("play",), (OTHER,)) is None
+
+
+def few_words() -> Automaton:
+    """Return `play [the] song {x} now`."""
+    draft = Draft()
+    the = either([draft.chain(("the",)), EMPTY])
+    whole = draft.join(draft.chain(("play",)), the)
+    whole = draft.join(whole, draft.chain(("song",)))
+    whole = draft.join(whole, draft.add_free("x"))
+    return Automaton(draft, draft.join(whole, draft.chain(("now",))))
+
+
+def aligned(sentence: str, errors: Errors) -> Alignment | None:
+    words = tuple(sentence.split())
+    return align(few_words(), words, (OTHER,) * len(words), errors)
+
+
+def test_a_sentence_that_fits_is_aligned_without_errors() -> None:
+    found = aligned("play the song a b now", Errors(most=2, extra=True, wrong=True, missing=True))
+    assert found is not None
+    assert (found.extra, found.wrong, found.missing) == ((), (), ())
+    assert list(found.path) == few_words().read(
+        ("play", "the", "song", "a", "b", "now"), (OTHER,) * 6
+    )
+
+
+def test_each_kind_of_error_is_found_in_its_place() -> None:
+    extra = aligned("well play the song a now", Errors(most=1, extra=True))
+    wrong = aligned("play the tune a now", Errors(most=1, wrong=True))
+    missing = aligned("play the song a", Errors(most=1, missing=True))
+    empty = aligned("play song now", Errors(most=1, empty=True))
+    assert extra is not None
+    assert extra.extra == (0,)
+    assert wrong is not None
+    assert wrong.wrong == (2,)
+    assert missing is not None
+    assert [few_words().words[position] for position in missing.missing] == ["now"]
+    assert empty is not None
+    assert [few_words().slots[position] for position in empty.missing] == ["x"]
+
+
+def test_more_errors_than_allowed_are_refused() -> None:
+    assert aligned("well well play the song a now", Errors(most=1, extra=True)) is None
+    assert aligned("play the tune a now", Errors(most=2, extra=True)) is None
+    assert aligned("play the song a", Errors(most=0)) is None
+
+
+def test_any_sentence_is_aligned_or_refused_consistently() -> None:
+    chance = Random(2)
+    every = Errors(most=3, extra=True, wrong=True, missing=True, empty=True)
+    words = ["play", "the", "song", "now", "x", "y"]
+    for _ in range(2_000):
+        sentence = " ".join(chance.choice(words) for _ in range(chance.randint(0, 7)))
+        found = aligned(sentence, every)
+        if found is not None:
+            assert len(found.path) == len(sentence.split())
+            assert len(found.extra) + len(found.wrong) + len(found.missing) <= 3

@@ -13,7 +13,7 @@ from plans.engine.patterns import parse_pattern, sample
 from plans.engine.plan_text import parse_plan
 from plans.engine.wordings import wordings
 from tests.engine.growth import grows_like_a_line
-from tests.engine.plans.worlds import LIBRARY, LIKES, PLAYSONG, robot
+from tests.engine.plans.worlds import LIBRARY, LIKES, PLAYSONG, VOLUME, robot
 
 ROBOT = robot()
 
@@ -224,3 +224,25 @@ def test_skip_words_alone_ask_for_nothing(sentence: str) -> None:
 def test_endless_skip_words_are_given_up() -> None:
     assert heard("please " * 20 + "play Volare") is None
     assert heard("play Volare " + "thank you " * 8) is not None
+
+
+@pytest.mark.parametrize("sentence", ["play Volare, help me", "Play me a song and help me"])
+def test_a_cry_for_help_wins_over_the_request_that_swallowed_it(sentence: str) -> None:
+    match = robot().match(sentence, "en")
+    assert match is not None
+    assert (match.intent.key, match.way) == ("alarm", "clause")
+
+
+def test_a_title_with_a_comma_stays_whole() -> None:
+    match = robot().match("play Tom, Dick and Harry", "en")
+    assert match is not None
+    assert match.parameters == {"title": "Tom, Dick and Harry"}
+
+
+def test_a_listed_value_alone_is_a_request_where_its_author_says_so() -> None:
+    bare = msgspec.structs.replace(VOLUME, triggers={"en": ("{level}",), "ja": ("{level}",)})
+    alone = compile_catalogue(msgspec.structs.replace(LIBRARY, intents=(bare,)))
+    for sentence, language in (("More loudly, please", "en"), ("大きく", "ja")):
+        match = alone.match(sentence, language)
+        assert match is not None
+        assert match.parameters == {"level": "louder"}

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 from plans.engine.actions import ACTIONS, ParameterKind
 from plans.engine.fill import clean, fill_actions, kbplan_string, plan_string
+from plans.engine.intents import ActionItem
 from plans.engine.kb_actions import KB_ACTIONS
 from plans.engine.plan_text import PlanTextError, parse_plan, print_plan
 
@@ -102,5 +103,13 @@ def test_each_action_has_at_most_one_free_text_and_it_is_last() -> None:
 
 
 def test_the_kb_actions_of_the_dialogue_are_all_there() -> None:
-    names = "setlikeliness jump leave change repeat opinion more stop forget list"
-    assert [action.name for action in KB_ACTIONS] == names.split()
+    talk = "setlikeliness jump leave change repeat opinion more stop forget"
+    assert [action.name for action in KB_ACTIONS] == [
+        *talk.split(),
+        *("list", "abilities", "listen", "tell"),
+    ]
+
+
+def test_digits_are_a_word() -> None:
+    item = ActionItem(action="timer", parameters=(("seconds", "{length}"),))
+    assert plan_string(fill_actions([item], {"length": "1200"})) == "#action=timer seconds=1200"

@@ -3,9 +3,10 @@
 from random import Random
 
 from plans.engine.catalogue import compile_catalogue
-from plans.engine.intents import Library
-from plans.engine.manager import Action, PlanAnswer, answer, carry_out
-from tests.engine.plans.worlds import PLAYSONG, robot
+from plans.engine.intents import Intent, Library, PlanSentence
+from plans.engine.manager import Action, PlanAnswer, Question, answer, carry_out
+from plans.engine.plan_text import parse_plan
+from tests.engine.plans.worlds import PHRASES, PLAYSONG, robot
 
 ROBOT = robot()
 
@@ -44,7 +45,7 @@ def test_a_sentence_with_a_missing_slot_is_not_chosen() -> None:
     reply = asked("play some music")
     assert reply.plan_sentence == ""
     assert reply.plan == "#action=playsong title=None"
-    assert (reply.missing, reply.question) == ("title", "Which song?")
+    assert reply.question == Question("playsong", "title", {}, "Which song?")
 
 
 def test_a_sentence_is_kept_for_its_culture() -> None:
@@ -64,8 +65,42 @@ def test_a_robot_that_cannot_call_for_help_sends_to_the_staff() -> None:
     assert asked("help me", capabilities=()).plan_sentence == "Please call the staff."
 
 
-def test_what_is_possible_of_a_plan_stays() -> None:
-    assert asked("go charge", capabilities={"rest"}).plan == "#action=rest"
+def test_what_is_possible_of_a_plan_stays_and_the_rest_is_said() -> None:
+    reply = asked("go charge", capabilities={"rest"})
+    assert (reply.plan, reply.plan_sentence) == ("#action=rest", "Only a part of that.")
+
+
+def test_what_a_robot_cannot_is_said_in_the_words_of_the_intent() -> None:
+    reply = asked("go charge", capabilities=())
+    assert (reply.plan, reply.plan_sentence) == ("", "This robot cannot charge my battery.")
+
+
+def test_an_uncommon_action_is_promised_only_to_who_names_it() -> None:
+    timer = Intent(
+        number=9,
+        key="timer",
+        triggers={"en": ("set a timer",)},
+        plan_sentences={"en": (PlanSentence(text="I will ring."),)},
+        plan=parse_plan("#action=timer seconds=60"),
+    )
+    robot = compile_catalogue(Library(intents=(timer,), phrases=PHRASES))
+    said = {
+        capabilities: answer(
+            robot, "set a timer", "en", chance=Random(1), capabilities=capabilities
+        ).plan_sentence
+        for capabilities in (None, ("timer",))
+    }
+    assert said == {None: "I am sorry, I cannot do that.", ("timer",): "I will ring."}
+
+
+def test_what_is_nearly_understood_is_asked_about_and_not_done() -> None:
+    reply = asked("go quickly and charge")
+    assert (reply.intent, reply.plan, reply.plan_sentence) == ("", "", "")
+    assert reply.question == Question("charge", "", {}, "Shall I charge my battery?")
+
+
+def test_nothing_is_offered_that_this_robot_cannot_do() -> None:
+    assert asked("go quickly and charge", capabilities={"hello"}).question is None
 
 
 def test_an_accepted_proposal_is_carried_out() -> None:

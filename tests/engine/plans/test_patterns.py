@@ -123,3 +123,8 @@ def test_a_sample_holds_only_words_of_the_trigger(sequence: Sequence, seed: int)
     words = sample(sequence, Random(seed), phrases, lambda name: f"<{name}>")
     known = print_pattern(sequence) + " please kindly <title> <what>"
     assert all(word in known for word in words)
+
+
+def test_a_value_list_is_as_good_as_words() -> None:
+    assert always_literal(parse_pattern("{level} [please]"), {}, {"level"})
+    assert not always_literal(parse_pattern("[{level}] {title}"), {}, {"level"})

@@ -58,6 +58,7 @@ VOLUME = Intent(
 CHARGE = Intent(
     number=4,
     key="charge",
+    abilities={"en": "charge my battery"},
     triggers={"en": ("go [and] charge",)},
     plan_sentences={"en": (PlanSentence(text="I go to my dock."),)},
     plan=parse_plan("#action=goto where=docking station#action=rest"),
@@ -85,6 +86,9 @@ PHRASES = (
     Phrase(key="not_a_topic", texts={"en": "it|you", "it": "te", "ja": "それ"}),
     Phrase(key="not_in_topic", texts={"en": "because|who", "it": "che"}),
     Phrase(key="cannot_do", texts={"en": "I am sorry, I cannot do that."}),
+    Phrase(key="cannot", texts={"en": "This robot cannot {can}."}),
+    Phrase(key="cannot_all", texts={"en": "Only a part of that."}),
+    Phrase(key="did_you_mean", texts={"en": "Shall I {can}?"}),
     Phrase(key="cannot_alert", texts={"en": "Please call the staff."}),
 )
 LIBRARY = Library(

@@ -22,3 +22,10 @@ def test_however_often_it_is_asked_for_no_remark_comes_twice_in_a_row():
 
 def test_before_any_topic_one_begins():
     assert hear(mrs_smith(), "Tell me more", act("more")).topic
+
+
+def test_after_a_joke_more_is_another_joke():
+    first = hear(mrs_smith("Tea"), "A joke", act("tell", kind="joke"))
+    second = hear(first.state, "Another one", act("more"))
+    assert kinds_said(first.state, second) == ["joke"]
+    assert first.sentence != second.sentence
