@@ -81,9 +81,23 @@ FREE_TEXT = {
     "it": ("cena pronta", "uova blu", "nonna", "parigi", "calzini caldi", "pasta", "mia sorella"),
     "ja": ("夕食", "青い卵", "祖母", "パリ", "靴下"),
 }
-#: What people put in front of a request or after it, and no library lists.
+#: What people put in front of a request or after it; those a library lists are passed over, and a
+#: library lists more with every year.
 UNLISTED = {
     "en": (("um", "oh well", "hmm", "right then", "honey"), ("honey", "quickly", "will you")),
     "it": (("ehm", "beh senti", "mah", "dunque", "tesoro"), ("tesoro", "dai", "va bene")),
-    "ja": (("えっと", "あのね", "ほら", "そういえば"), ("なんだけど", "ねえ")),
+    "ja": (
+        (
+            "えっと",
+            "あのね",
+            "ほら",
+            "そういえば",
+            "いやあ",
+            "おっと",
+            "なるほど",
+            "とにかく",
+            "よし",
+        ),
+        ("なんだけど", "ねえ", "先生", "頼むよ", "ってば"),
+    ),
 }

@@ -29,8 +29,8 @@ from plans.engine.wordings import wordings
 RIGHT, VALUE, ASKED, NOTHING = "right", "other value", "asked", "nothing"
 WRONG, ASKED_WRONG = "wrong", "asked for another"
 OUTCOMES = (RIGHT, VALUE, ASKED, ASKED_WRONG, NOTHING, WRONG)
-#: What is asked of sentences that are not acted on: a question about the right intent counts.
-UNDERSTOOD = frozenset(("unlisted filler",))
+#: Where a question about the right intent counts as much as acting on it.
+UNDERSTOOD = frozenset(("unlisted filler", "typo"))
 CLEAN = "as it is"
 KINDS = {
     CLEAN: "",
@@ -197,7 +197,8 @@ def _print(title: str, rows: Iterable[Sequence[object]], more: tuple[str, ...]) 
         "Only sentences that are right as they are, and only where the noise changes something; "
         "words that fill a slot are left as they are. Other value: the right intent, acted on with "
         "another value (a filler beside a slot of free text becomes a part of it). Asked: not "
-        "acted on, but the right intent is suggested; the target for unlisted fillers counts that.",
+        "acted on, but the right intent is suggested; the targets for unlisted fillers and for "
+        "typos count right and asked together, all others only right.",
         ("language", "noise", "sentences", *OUTCOMES, *more),
         rows,
     )

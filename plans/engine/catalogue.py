@@ -24,6 +24,9 @@ _CONJUNCTIONS = re.compile(r"[,.;:!?、。；！？…]+\s*|\s(?:and|but|because
 _CLAUSES = ((_CONJUNCTIONS, SAFETY), (_PUNCTUATION, WISHES))
 MOST_CLAUSES = 8
 SHORTEST_CLAUSE = 3  # "Eh, è una storia lunga" does not ask for a repetition.
+#: Ways to find what free words have swallowed, and the literal words that may then be wrong.
+_SWALLOWED = ((Way.FILLERS, 0), (Way.SPELLING, 1))
+_FREE = 3  # Where a score tells the slots of free text.
 
 
 @dataclass(frozen=True, slots=True)
@@ -63,12 +66,34 @@ class Catalogue:
         is enough for safety and for wishes about the talk: "I am so tired, I want to die". Only
         then are fillers left out ("play, you know, Volare"), and only then is spelling mended.
         """
-        found = self._match_strictly(sentence, language) or (
-            self._match_whole(sentence, language, Way.FILLERS)
-            or self._match_whole(sentence, language, Way.SPELLING)
-        )
+        found = self._match_strictly(sentence, language)
+        if found is None:
+            found = self._match_whole(sentence, language, Way.FILLERS) or self._match_whole(
+                sentence, language, Way.SPELLING
+            )
+        elif found.score[_FREE] and found.way == Way.WORDS:
+            found = self._without_swallowed(found, sentence, language)
         if found is not None:
             self.forget(language)
+        return found
+
+    def _without_swallowed(self, found: IntentMatch, sentence: str, language: str) -> IntentMatch:
+        """Return another intent that free words have swallowed, or the same.
+
+        "Set an alarm, maybe" is no song called "an alarm maybe", and "call the polce" no call.
+        The other must say more even without the word that is mended.
+        """
+        priority, literal = found.score[:2]
+        # Without spaces a mended character is no proof of another word.
+        for way, uncertain in _SWALLOWED if LANGUAGES[language].spaced else _SWALLOWED[:1]:
+            other = self._match_whole(sentence, language, way)
+            if (
+                other is not None
+                and other.intent is not found.intent
+                and other.score[0] >= priority
+                and other.score[1] > literal + uncertain
+            ):
+                return other
         return found
 
     def suggest(self, sentence: str, language: str) -> IntentMatch | None:

@@ -1,7 +1,8 @@
 """A sentence as the matcher reads it: words (spaced languages) or characters (the others)."""
 
 from collections.abc import Iterable
-from dataclasses import dataclass
+
+import msgspec
 
 from languages.language import Language
 from plans.engine.automaton import DIGITS, OTHER
@@ -12,8 +13,7 @@ MOST_CHARACTERS = 120
 MOST_EDGES = 4
 
 
-@dataclass(frozen=True, slots=True)
-class Reading:
+class Reading(msgspec.Struct, frozen=True):
     """The normalised units of a sentence and where each stands in the original.
 
     `sounds` says whether hesitations ("um") were left out.

@@ -60,7 +60,7 @@ def test_a_song_arrives_as_clients_read_it(server: Server, generation: type[OldC
 @pytest.mark.parametrize(
     "wish",
     [
-        ("turn the volume up", "volume", {"level": "raise"}, {}),
+        ("turn the volume up", "volume", {"level": "louder"}, {}),
         (
             "translate good morning into Italian",
             "translate",

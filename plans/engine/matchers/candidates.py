@@ -1,7 +1,8 @@
 """From the way a trigger read a sentence to a candidate with its parameters."""
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+
+import msgspec
 
 from plans.engine.alignment import EXTRA, Alignment
 from plans.engine.matchers.matcher import Candidate
@@ -10,8 +11,7 @@ from plans.engine.reading import Reading
 from plans.engine.templates import Template
 
 
-@dataclass(frozen=True, slots=True)
-class Fit:
+class Fit(msgspec.Struct, frozen=True):
     """A trigger that read the units of `reading` from `start` on.
 
     `names` holds for each unit its slot, "" for a literal word, None for a unit too much; `wrong`

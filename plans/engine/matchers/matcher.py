@@ -5,6 +5,8 @@ from dataclasses import dataclass
 from enum import StrEnum
 from typing import Protocol, runtime_checkable
 
+import msgspec
+
 from plans.engine.intents import Intent
 
 
@@ -22,8 +24,7 @@ class Way(StrEnum):
     SUGGESTION = "suggestion"
 
 
-@dataclass(frozen=True, slots=True)
-class Candidate:
+class Candidate(msgspec.Struct, frozen=True):
     """An intent a sentence may mean.
 
     `score` compares with other candidates only: priority, literal words, listed values, fewest

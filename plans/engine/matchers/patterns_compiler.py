@@ -7,10 +7,12 @@ from languages.language import Language
 from languages.spoken.known import SPOKEN
 from plans.engine.intents import Intent, Library
 from plans.engine.matchers.patterns_hearing import Knowledge
-from plans.engine.matchers.patterns_index import build_index
+from plans.engine.matchers.patterns_index import TriggerIndex
 from plans.engine.matchers.patterns_matcher import PatternMatcher
+from plans.engine.matchers.patterns_near import NearTriggers
 from plans.engine.patterns import (
     PatternError,
+    PhraseUse,
     Sequence,
     Word,
     parse_options,
@@ -55,9 +57,11 @@ def compile_patterns(
                 words.update(_literals(template.sequence, lexicon))
     fillers = _listed(FILLERS, lexicon)
     aside = SHORTEST_ASIDE if language.spaced else SHORTEST_ASIDE_CHARACTERS
+    index = TriggerIndex(templates)
     knowledge = Knowledge(
         spaced=language.spaced,
-        index=build_index(templates, spaced=language.spaced),
+        index=index,
+        near=None if language.spaced else NearTriggers(index, partial(_runs, lexicon)),
         vocabulary=Vocabulary(language, words),
         edges=Edges(_listed(SKIP_START, lexicon), _listed(SKIP_END, lexicon)),
         sounds=Fillers(_listed(SOUNDS, lexicon)),
@@ -150,6 +154,17 @@ def _literals(sequence: Sequence, lexicon: Lexicon) -> Iterator[str]:
     for part in parts_of(sequence):
         if isinstance(part, Word):
             yield from lexicon.units(part.text)
+
+
+def _runs(lexicon: Lexicon, template: Template) -> Iterator[str]:
+    """Yield the literal runs of a trigger and of its phrases."""
+    sequences = [template.sequence]
+    for sequence in sequences:
+        for part in parts_of(sequence):
+            if isinstance(part, Word):
+                yield "".join(lexicon.units(part.text))
+            elif isinstance(part, PhraseUse):
+                sequences.append(lexicon.phrases[part.name])
 
 
 def _listed(key: str, lexicon: Lexicon) -> frozenset[Units]:

@@ -4,6 +4,7 @@ from dataclasses import dataclass
 
 from plans.engine.matchers.matcher import Candidate
 from plans.engine.matchers.patterns_index import TriggerIndex
+from plans.engine.matchers.patterns_near import NearTriggers
 from plans.engine.reading import Edges, Fillers, Reading
 from plans.engine.slots import SlotWords
 from plans.engine.templates import Template
@@ -16,11 +17,13 @@ class Knowledge:
 
     `sounds` ("um") are never read at all; `fillers` ("you know") are left out where the sentence
     does not fit with them. `asides` are the fillers of several words, which begin or end no name
-    ("you know", where "just" may), so that they are cut off free words.
+    ("you know", where "just" may), so that they are cut off free words. `near` is for languages
+    without spaces, where an error is no unknown word.
     """
 
     spaced: bool
     index: TriggerIndex
+    near: NearTriggers | None
     vocabulary: Vocabulary
     edges: Edges
     sounds: Fillers

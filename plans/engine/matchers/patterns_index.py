@@ -1,86 +1,105 @@
 """Which triggers can fit a sentence, found by the words they cannot do without."""
 
-from collections import Counter, defaultdict
-from collections.abc import Iterable, Iterator, Set
-from dataclasses import dataclass
+from collections import Counter
+from collections.abc import Callable, Iterable, Set
+from functools import cache, partial
 from heapq import nsmallest
+from itertools import chain
+from typing import NamedTuple
 
 from plans.engine.templates import Clause, Template
 
-#: A window of characters is damaged by an error in any of its characters.
-_WINDOW = 3
-_FEWEST_CLAUSES = 3
+_NONE: Clause = frozenset()
+#: The key that every sentence has.
+_ALWAYS: Clause = frozenset(("",))
+_LARGEST_SECOND = 12
 
 
-@dataclass(frozen=True, slots=True)
+class _Entry(NamedTuple):
+    """A trigger with what it needs besides the clause it stands under, the rarest first.
+
+    `needs` are the keys of clauses with a single key; `number` is its place in the library.
+    """
+
+    needs: Clause
+    others: tuple[Clause, ...]
+    number: int
+
+
+def _clauses_of(template: Template) -> tuple[Clause, ...]:
+    return template.clauses
+
+
 class TriggerIndex:
-    """Triggers under their rarest clause, and (without spaces) under two, one of them undamaged."""
+    """Triggers under the keys of their rarest clause, there under those of the next rarest.
 
-    spaced: bool
-    templates: tuple[Template, ...]
-    rarest: dict[str, tuple[Template, ...]]
-    two: dict[str, tuple[Template, ...]]
+    One without clauses is never found.
+    """
+
+    __slots__ = ("_entries", "templates")
+
+    def __init__(
+        self,
+        templates: Iterable[Template],
+        clauses_of: Callable[[Template], tuple[Clause, ...]] = _clauses_of,
+    ) -> None:
+        self.templates = tuple(templates)
+        every = [clauses_of(template) for template in self.templates]
+        counts = Counter(key for clauses in every for clause in clauses for key in clause)
+        weight = cache(partial(_weight, counts))
+        entries: dict[str, dict[str, list[_Entry]]] = {}
+        for number, clauses in enumerate(every):
+            if clauses:
+                rarest, second, entry = _entry(clauses, weight, number)
+                for key in rarest:
+                    inner = entries.setdefault(key, {})
+                    for other in second:
+                        inner.setdefault(other, []).append(entry)
+        self._entries = entries
 
     def possible(self, keys: Set[str]) -> list[Template]:
-        """Return the triggers whose every clause is in the sentence."""
-        return [
-            template
-            for template in _listed(self.rarest, keys)
-            if not any(clause.isdisjoint(keys) for clause in template.clauses)
-        ]
+        """Return the triggers whose every clause is in the sentence, as the library has them."""
+        found: list[int] = []
+        entries = self._entries
+        keys = keys | _ALWAYS
+        for key in keys & entries.keys():
+            inner = entries[key]
+            for second in keys & inner.keys():
+                for needs, others, number in inner[second]:
+                    if needs <= keys:
+                        for clause in others:
+                            if clause.isdisjoint(keys):
+                                break
+                        else:
+                            found.append(number)
+        templates = self.templates
+        return [templates[number] for number in sorted(set(found))]
 
     def nearly(self, keys: Set[str], most: int) -> list[Template]:
-        """Return up to `most` triggers that miss as many clauses as one error can damage."""
-        damage = 1 if self.spaced else _WINDOW
-        found: list[tuple[int, int, Template]] = []
-        # Of words, the most telling one must have been said.
-        index = self.rarest if self.spaced else self.two
-        for number, template in enumerate(_listed(index, keys)):
-            missing = 0
-            for clause in template.clauses:
-                missing += clause.isdisjoint(keys)
-                if missing > damage:
-                    break
-            else:
-                found.append((missing - len(template.clauses), number, template))
-        return [template for _, _, template in nsmallest(most, found)]
+        """Return up to `most` triggers of words that miss one clause, not the most telling."""
+        found: dict[int, tuple[int, int]] = {}
+        for key in keys & self._entries.keys():
+            for needs, others, number in chain.from_iterable(self._entries[key].values()):
+                missing = len(needs - keys)
+                if missing <= 1:
+                    missing += sum([clause.isdisjoint(keys) for clause in others])
+                if missing <= 1:
+                    found[number] = (missing - len(self.templates[number].clauses), number)
+        near = nsmallest(most, found, key=found.__getitem__)
+        return [self.templates[number] for number in near]
 
 
-def build_index(templates: Iterable[Template], *, spaced: bool) -> TriggerIndex:
-    """Return the index of the triggers of a language."""
-    kept = tuple(templates)
-    counts = Counter(key for template in kept for clause in template.clauses for key in clause)
-    rarest: defaultdict[str, list[Template]] = defaultdict(list)
-    two: defaultdict[str, list[Template]] = defaultdict(list)
-    for template in kept:
-        first, *others = _rarest(template.clauses, counts, spaced=spaced)
-        for key in template.clauses[first]:
-            rarest[key].append(template)
-        if others and not spaced and len(template.clauses) >= _FEWEST_CLAUSES:
-            for key in template.clauses[first] | template.clauses[others[0]]:
-                two[key].append(template)
-    return TriggerIndex(spaced, kept, _frozen(rarest), _frozen(two))
+def _entry(
+    clauses: tuple[Clause, ...], weight: Callable[[Clause], tuple[int, int]], number: int
+) -> tuple[Clause, Clause, _Entry]:
+    """Return the rarest clause, the next (or what is always there), and what is needed besides."""
+    if len(clauses) == 1:
+        return clauses[0], _ALWAYS, _Entry(_NONE, (), number)
+    rarest, *others = sorted(clauses, key=weight)
+    needs = frozenset([key for clause in others if len(clause) == 1 for key in clause])
+    second = others[0] if len(others[0]) <= _LARGEST_SECOND else _ALWAYS
+    return rarest, second, _Entry(needs, tuple([each for each in others if len(each) > 1]), number)
 
 
-def _frozen(index: dict[str, list[Template]]) -> dict[str, tuple[Template, ...]]:
-    return {key: tuple(listed) for key, listed in index.items()}
-
-
-def _listed(index: dict[str, tuple[Template, ...]], keys: Set[str]) -> Iterator[Template]:
-    found: dict[Template, None] = {}
-    for key in keys & index.keys():
-        found.update(dict.fromkeys(index[key]))
-    return iter(found)
-
-
-def _rarest(clauses: tuple[Clause, ...], counts: Counter[str], *, spaced: bool) -> list[int]:
-    """Return the place of the rarest clause and of the rarest that an error in it leaves whole."""
-    weights = [_weight(clause, counts) for clause in clauses]
-    order = sorted(range(len(clauses)), key=weights.__getitem__)
-    first = order[0]
-    apart = [place for place in order[1:] if spaced or abs(place - first) >= _WINDOW]
-    return [first, *(apart or order[1:])[:1]]
-
-
-def _weight(clause: Clause, counts: Counter[str]) -> tuple[int, int]:
-    return sum(counts[key] for key in clause), -min(map(len, clause))
+def _weight(counts: Counter[str], clause: Clause) -> tuple[int, int]:
+    return sum([counts[key] for key in clause]), -min(map(len, clause))

@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 from languages.language import Language
 from plans.engine.matchers.candidates import candidate_of, fit_of
 from plans.engine.matchers.matcher import Candidate, NearMiss, Way
+from plans.engine.matchers.patterns_characters import characters_meant, characters_spelt
 from plans.engine.matchers.patterns_faults import near_misses
 from plans.engine.matchers.patterns_hearing import Hearing, Knowledge, Spelt
 from plans.engine.matchers.patterns_spelling import spelt
@@ -48,10 +49,17 @@ class PatternMatcher:
         return _LONGEST_MENDED if self.knowledge.spaced else _LONGEST_MENDED_CHARACTERS
 
     def _mended(self, hearing: Hearing) -> tuple[Candidate, ...]:
+        near = self.knowledge.near
+        if near is not None:
+            return tuple(characters_spelt(hearing, self.knowledge, near))
         return tuple([each.candidate for each in self._spelt(hearing) if each.acts])
 
     def _asked(self, hearing: Hearing) -> tuple[Candidate, ...]:
-        asked = tuple([each.candidate for each in self._spelt(hearing) if not each.acts])
+        near = self.knowledge.near
+        if near is not None:
+            asked = tuple(characters_meant(hearing, self.knowledge, near))
+        else:
+            asked = tuple([each.candidate for each in self._spelt(hearing) if not each.acts])
         return asked or tuple(suggested(hearing, self.knowledge))
 
     def forget(self) -> None:
@@ -138,5 +146,5 @@ class PatternMatcher:
 
     def _spelt(self, hearing: Hearing) -> tuple[Spelt, ...]:
         if hearing.spelt is None:
-            hearing.spelt = spelt(hearing, self.knowledge)
+            hearing.spelt = tuple(spelt(hearing, self.knowledge))
         return hearing.spelt

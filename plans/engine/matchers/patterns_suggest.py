@@ -10,16 +10,18 @@ from plans.engine.matchers.patterns_hearing import Hearing, Knowledge
 from plans.engine.templates import Template
 from plans.engine.vocabulary import one_edit_apart
 
-_MOST_TEMPLATES = 8
+_MOST_TEMPLATES = 24
 _MOST_NEAR = 4
 _PROOF = 3
-_PROOF_CHARACTERS = 4
+_PROOF_CHARACTERS = 3
 _LONGEST_UNKNOWN = 5
 _EXTRA_WORDS = Errors(most=3, extra=True)
 _EXTRA_CHARACTERS = Errors(most=8, extra=True)
 _ONE_WORD = Errors(most=1, missing=True, wrong=True)
 #: Endings after which words in front are the subject of a statement.
 _PARTICLES = frozenset("はがをも")
+#: At the very end of a sentence it only softens a request: ラジオなんだけど
+_SOFTENER = ("け", "ど")
 
 
 def suggested(hearing: Hearing, known: Knowledge) -> Iterator[Candidate]:
@@ -61,6 +63,9 @@ def _is_worth_asking(fit: Fit, alignment: Alignment, known: Knowledge) -> bool:
         said = _without_skip_words(said, known)
     elif extra[-1] == len(alignment.path) - 1:
         said = _behind_skip_words(said, known)
+    behind = extra[-1] == len(alignment.path) - 1
+    if behind and len(said) > len(_SOFTENER) and said[-len(_SOFTENER) :] == _SOFTENER:
+        said = said[: -len(_SOFTENER)]
     if _tells(said, known):
         return False
     if known.spaced:

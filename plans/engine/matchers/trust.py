@@ -9,6 +9,7 @@ from enum import Enum
 from plans.engine.alignment import Alignment
 from plans.engine.matchers.candidates import Fit
 from plans.engine.matchers.patterns_mending import Mended
+from plans.engine.matchers.patterns_near import LENGTH_MARK, SMALL
 
 _LONG = 5
 _SHORTEST_SKIPPED = 4
@@ -16,12 +17,6 @@ _SHORTEST_ALONE = 4
 _SURE_WORDS = 3
 _PROOF = 4
 _SURE_PROOF = 6
-
-#: Characters that are often typed for each other: small and large kana, the mark of length.
-_SMALL = dict(
-    zip("ゃゅょっぁぃぅぇぉャュョッァィゥェォ", "やゆよつあいうえおヤユヨツアイウエオ", strict=True)
-)
-_LENGTH_MARKS = frozenset("ー-〜う")
 
 
 class Trust(Enum):
@@ -39,13 +34,18 @@ def trust_words(fit: Fit, option: Mended) -> Trust:
     if after <= 0 or place >= len(fit.names):
         return Trust.ACT if len(option.said) >= _SHORTEST_SKIPPED else Trust.NO
     if place < 0 or after > len(fit.names):
-        return Trust.NO
+        return _trust_edge(fit, fit.names[0 if place < 0 else -1])
     slots = fit.template.slots
     roles = fit.names[place:after]
     known = sum(1 for name in roles if not name or not slots[name].free)
     if known < len(roles):
         return _trust_half(fit, option, known)
     return _trust_word(fit, option, fit.literal + fit.listed - known)
+
+
+def _trust_edge(fit: Fit, name: str | None) -> Trust:
+    """Judge a lost blank between a skip word and a word of the trigger: "couldyou sing"."""
+    return Trust.ACT if name == "" and fit.literal + fit.listed > 1 + fit.free else Trust.NO
 
 
 def _trust_word(fit: Fit, option: Mended, others: int) -> Trust:
@@ -64,16 +64,14 @@ def _trust_half(fit: Fit, option: Mended, known: int) -> Trust:
 
 
 def _trust_letter(fit: Fit, option: Mended, others: int) -> Trust:
-    if not fit.free:
-        sure = others and (len(option.said) >= _LONG or others >= _SURE_WORDS)
-        if sure and not _is_ending(option):
+    said, ending = len(option.said), _is_ending(option)
+    if fit.free:
+        if others >= _SURE_WORDS - (said >= _LONG) + ending:
             return Trust.ACT
-        return Trust.ASK if others or len(option.said) >= _SHORTEST_ALONE else Trust.NO
-    if others >= _SURE_WORDS - (len(option.said) >= _LONG) and not _is_ending(option):
+        return Trust.NO if others <= 1 and (ending or said < _SHORTEST_ALONE) else Trust.ASK
+    if others >= _SURE_WORDS or (others and said >= _LONG - (others > 1) and not ending):
         return Trust.ACT
-    if others <= 1 and (_is_ending(option) or len(option.said) < _SHORTEST_ALONE):
-        return Trust.NO
-    return Trust.ASK
+    return Trust.ASK if others or said >= _SHORTEST_ALONE else Trust.NO
 
 
 def _is_ending(option: Mended) -> bool:
@@ -98,13 +96,13 @@ def trust_characters(fit: Fit, alignment: Alignment, said: str, meant: str) -> T
 
 def _sounds_alike(fit: Fit, alignment: Alignment, said: str, meant: str) -> bool:
     if said and meant:
-        return _SMALL.get(said) == meant or _SMALL.get(meant) == said
+        return SMALL.get(said) == meant or SMALL.get(meant) == said
     if meant:
-        return meant in _LENGTH_MARKS and meant == "ー"
+        return meant == LENGTH_MARK
     place = fit.start + alignment.extra[0]
     units = fit.reading.units
     doubled = said in units[max(place - 1, 0) : place] + units[place + 1 : place + 2]
-    return said == "ー" or doubled
+    return said == LENGTH_MARK or doubled
 
 
 def _at_the_end(fit: Fit, alignment: Alignment) -> bool:
