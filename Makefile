@@ -8,7 +8,7 @@ BENCH := PYTHONPATH=. $(BIN)/python benchmarks
 MANAGE := $(BIN)/python manage.py
 PURE_PYTEST := PYTHONPATH=. $(BIN)/python -m pytest -p no:django -p no:cacheprovider -c /dev/null --rootdir=. --import-mode=importlib
 
-.PHONY: run setup test test-engine test-server test-browser check format bench transcripts openapi plans content clean
+.PHONY: run setup test test-engine test-server test-browser check format bench transcripts openapi plans content demo clean
 
 run: setup ## Set everything up and serve on http://HOST:PORT/
 	@echo "CAIR is at http://$(HOST):$(PORT)/ (Ctrl-C ends it)"
@@ -37,6 +37,10 @@ test-server: .venv/installed ## Real gunicorn on loopback: existing clients, hos
 
 test-browser: .venv/installed ## The web chat and the admin in headless Chromium
 	$(BIN)/python -m pytest -q -m browser tests/browser
+
+.PHONY: pictures
+pictures: .venv/installed ## The pictures of docs/authors-guide.md, from a server of their own
+	PYTHONPATH=. $(BIN)/python -m tests.browser.admin.make_pictures
 
 check: .venv/installed-dev ## Formatting, linters, types, arrows, migrations, content
 	$(BIN)/ruff format --check .
@@ -81,6 +85,9 @@ plans: setup ## Write docs/plans.md
 
 openapi: setup ## Write docs/openapi.yaml
 	$(MANAGE) spectacular --file docs/openapi.yaml
+
+demo: setup ## One user a role to look around in /admin/, passwords shown once; never where people are served
+	@$(MANAGE) demo
 
 clean: ## Remove what make made; the database in var/ stays
 	rm -rf .venv staticfiles .mypy_cache .ruff_cache .pytest_cache

@@ -64,6 +64,16 @@ ERRORS: dict[str, Kind] = {
     "host.unknown": Kind(
         400, "This server does not answer to that name.", "Operators: add it to CAIR_HOSTS."
     ),
+    "key.missing": Kind(
+        401, "This server wants a key.", "Send Authorization: Api-Key <key>, or X-Api-Key: <key>."
+    ),
+    "key.unknown": Kind(
+        403, "There is no such key, or it was revoked.", "Ask whoever runs this server for one."
+    ),
+    "key.too_often": Kind(
+        429, "This key is used too often.", "Wait as many seconds as Retry-After says."
+    ),
+    "key.unchecked": Kind(503, "Keys cannot be checked just now.", "Ask again in a moment."),
     "not_found": Kind(404, "There is nothing at this address.", "See /api/docs/."),
     "method.not_allowed": Kind(405, "This address does not know that method.", "See /api/docs/."),
     "request.refused": Kind(400, "The request was refused.", "See /api/docs/."),

@@ -17,7 +17,7 @@ ALLOWED_HOSTS = environment.words("CAIR_HOSTS", "localhost,127.0.0.1,[::1],tests
 CSRF_TRUSTED_ORIGINS = environment.words("CAIR_ORIGINS")
 
 INSTALLED_APPS = [
-    "django.contrib.admin",
+    "authoring.apps.CairAdminConfig",
     "django.contrib.auth",
     "django.contrib.contenttypes",
     "django.contrib.sessions",
@@ -27,14 +27,18 @@ INSTALLED_APPS = [
     "rest_framework",
     "drf_spectacular",
     "drf_spectacular_sidecar",
+    "import_export",
+    "simple_history",
     "plans.apps.PlansConfig",
     "dialogue.apps.DialogueConfig",
     "ontology_io.apps.OntologyIOConfig",
+    "authoring.apps.AuthoringConfig",
     "cair_site.apps.SiteConfig",
 ]
 MIDDLEWARE = [
     "cair_site.middleware.SecurityHeaders",
     "cair_site.middleware.ApiSlash",
+    "cair_site.api_keys.ApiKeys",
     "django.middleware.security.SecurityMiddleware",
     "whitenoise.middleware.WhiteNoiseMiddleware",
     "django.contrib.sessions.middleware.SessionMiddleware",
@@ -42,6 +46,7 @@ MIDDLEWARE = [
     "django.middleware.common.CommonMiddleware",
     "django.middleware.csrf.CsrfViewMiddleware",
     "django.contrib.auth.middleware.AuthenticationMiddleware",
+    "authoring.middleware.Recording",
     "django.contrib.messages.middleware.MessageMiddleware",
     "django.middleware.clickjacking.XFrameOptionsMiddleware",
 ]
@@ -76,6 +81,7 @@ AUTH_PASSWORD_VALIDATORS = [
 ]
 
 LANGUAGE_CODE = "en-gb"
+LOCALE_PATHS = [BASE_DIR / "locale"]
 LANGUAGES = [("en", "English"), ("it", "Italiano"), ("ja", "日本語")]
 TIME_ZONE = "UTC"
 USE_TZ = True
@@ -95,7 +101,9 @@ X_FRAME_OPTIONS = "DENY"
 SECURE_CONTENT_TYPE_NOSNIFF = True
 SECURE_REFERRER_POLICY = "same-origin"
 CAIR_HTTPS = environment.flag("CAIR_HTTPS")
-SESSION_COOKIE_SECURE = CSRF_COOKIE_SECURE = CAIR_HTTPS
+LANGUAGE_COOKIE_SAMESITE = "Lax"
+LANGUAGE_COOKIE_HTTPONLY = True
+SESSION_COOKIE_SECURE = CSRF_COOKIE_SECURE = LANGUAGE_COOKIE_SECURE = CAIR_HTTPS
 SECURE_SSL_REDIRECT = CAIR_HTTPS
 SECURE_HSTS_SECONDS = 31_536_000 if CAIR_HTTPS else 0
 SECURE_HSTS_INCLUDE_SUBDOMAINS = SECURE_HSTS_PRELOAD = CAIR_HTTPS
@@ -113,7 +121,9 @@ CAIR_POLL_SECONDS = environment.number("CAIR_POLL_SECONDS", 1, least=1, most=360
 CAIR_PLAN_MANAGER_URL = environment.text("CAIR_PLAN_MANAGER_URL")
 CAIR_DIALOGUE_MANAGER_URL = environment.text("CAIR_DIALOGUE_MANAGER_URL")
 CAIR_SERVICE_SECONDS = environment.number("CAIR_SERVICE_SECONDS", 3, least=1, most=60)
+CAIR_KEYS_REQUIRED = environment.flag("CAIR_KEYS_REQUIRED")
 DATA_UPLOAD_MAX_MEMORY_SIZE = 5_000_000
+DATA_UPLOAD_MAX_NUMBER_FIELDS = 5_000  # an intent with many sentences
 
 REST_FRAMEWORK = {
     "DEFAULT_AUTHENTICATION_CLASSES": [],

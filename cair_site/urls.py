@@ -2,6 +2,7 @@
 
 from django.contrib import admin
 from django.urls import include, path, re_path
+from django.views.i18n import set_language
 from rest_framework.routers import SimpleRouter
 
 from cair_site import compat, operations, pages
@@ -9,9 +10,6 @@ from cair_site.hub import HubViewSet
 from dialogue.api import DialogueViewSet
 from dialogue.topics_api import TopicViewSet
 from plans.api import ActionViewSet, IntentViewSet, PlanViewSet
-
-admin.site.site_header = admin.site.site_title = "CAIR"
-admin.site.index_title = "What the robot says"
 
 router = SimpleRouter()
 router.register("hub", HubViewSet, basename="hub")
@@ -23,6 +21,7 @@ router.register("actions", ActionViewSet, basename="actions")
 
 urlpatterns = [
     path("", pages.chat, name="chat"),
+    path("admin/language/", set_language, name="set_language"),
     path("admin/", admin.site.urls),
     path("api/v1/", include(router.urls)),
     path("api/schema/", pages.schema, name="schema"),

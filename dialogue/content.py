@@ -1,7 +1,10 @@
 """Read the rows of the Dialogue Manager into plain values (a fixed number of queries)."""
 
 from collections import defaultdict
-from collections.abc import Iterable, Mapping
+from collections.abc import Collection, Iterable, Mapping
+from typing import TypeVar
+
+from django.db.models import Model, QuerySet
 
 from dialogue import models
 from dialogue.engine import concepts
@@ -9,17 +12,40 @@ from dialogue.engine.tree_order import in_tree_order
 from languages.known import LANGUAGES
 
 ByTopic = dict[int, list[concepts.Frame]]
+RowT = TypeVar("RowT", bound=Model)
 
 
 def read_knowledge() -> concepts.Knowledge:
     """Return the whole draft: cultures, topics in tree order, pools."""
-    cultures = tuple(models.Culture.objects.all())
-    codes = {row.pk: row.code for row in cultures}
-    frames, pools = _frames(codes)
     rows = {row.pk: row for row in models.Topic.objects.all()}
     keys = {number: row.key for number, row in rows.items()}
-    parts = _Parts(codes, keys)
-    topics = in_tree_order(_topic(row, parts, frames, codes) for row in rows.values())
+    return _knowledge(rows.values(), keys, None)
+
+
+def read_part(
+    numbers: Collection[int], keys: Mapping[int, str], *, frames: bool = True
+) -> concepts.Knowledge:
+    """Return the topics of these numbers with what the agent says about them; no pools.
+
+    `keys` are the keys of all topics, for links lead anywhere. Left out are keywords; likeliness
+    is the usual one. `frames=False` leaves out the sentences too.
+    """
+    rows = models.Topic.objects.filter(pk__in=numbers)
+    return _knowledge(rows, keys, numbers, frames=frames)
+
+
+def _knowledge(
+    rows: Iterable[models.Topic],
+    keys: Mapping[int, str],
+    numbers: Collection[int] | None,
+    *,
+    frames: bool = True,
+) -> concepts.Knowledge:
+    cultures = tuple(models.Culture.objects.all())
+    codes = {row.pk: row.code for row in cultures}
+    said, pools = _frames(codes, numbers) if frames else (defaultdict(list), {})
+    parts = _Parts(codes, keys, numbers)
+    topics = in_tree_order(_topic(row, parts, said, codes) for row in rows)
     return concepts.Knowledge(
         cultures=tuple(
             concepts.Culture(code=row.code, names=row.names, language=row.language)
@@ -33,29 +59,43 @@ def read_knowledge() -> concepts.Knowledge:
 class _Parts:
     """The rows below each topic, by topic number."""
 
-    def __init__(self, codes: Mapping[int, str], keys: Mapping[int, str]) -> None:
+    def __init__(
+        self, codes: Mapping[int, str], keys: Mapping[int, str], numbers: Collection[int] | None
+    ) -> None:
         self.keys = keys
         self.names: dict[int, dict[str, dict[str, str]]] = defaultdict(dict)
-        for name in models.TopicName.objects.all():
+        for name in _of(models.TopicName.objects.all(), numbers):
             self.names[name.topic_id][name.language] = {"name": name.name, **name.fields}
         self.variables: dict[int, dict[str, dict[str, str]]] = defaultdict(dict)
-        for variable in models.Variable.objects.order_by("id"):
+        for variable in _of(models.Variable.objects.order_by("id"), numbers):
             texts = self.variables[variable.topic_id].setdefault(variable.language, {})
             texts[variable.name] = variable.text
+        self.see: dict[int, list[str]] = defaultdict(list)
+        for link in _of(models.TopicLink.objects.all(), numbers):
+            self.see[link.topic_id].append(keys[link.target_id])
+        self.also: dict[int, list[str]] = defaultdict(list)
+        lent_from = models.Topic.also.through.objects.order_by("id")
+        for lent in _of(lent_from, numbers, "from_topic"):
+            self.also[lent.from_topic_id].append(keys[lent.to_topic_id])
         self.keywords: dict[int, dict[str, tuple[tuple[str, ...], tuple[str, ...]]]]
         self.keywords = defaultdict(dict)
+        self.likeliness: dict[int, dict[str, float]] = defaultdict(dict)
+        if numbers is None:
+            self._read_what_leads_here(codes)
+
+    def _read_what_leads_here(self, codes: Mapping[int, str]) -> None:
         for row in models.KeywordSet.objects.all():
             self.keywords[row.topic_id][row.language] = (_words(row.first), _words(row.second))
-        self.likeliness: dict[int, dict[str, float]] = defaultdict(dict)
         for instance in models.TopicInstance.objects.order_by("culture__position"):
             value = float(instance.likeliness)
             self.likeliness[instance.topic_id][codes[instance.culture_id]] = value
-        self.see: dict[int, list[str]] = defaultdict(list)
-        for link in models.TopicLink.objects.all():
-            self.see[link.topic_id].append(keys[link.target_id])
-        self.also: dict[int, list[str]] = defaultdict(list)
-        for lent in models.Topic.also.through.objects.order_by("id"):
-            self.also[lent.from_topic_id].append(keys[lent.to_topic_id])
+
+
+def _of(
+    rows: QuerySet[RowT], numbers: Collection[int] | None, path: str = "topic"
+) -> QuerySet[RowT]:
+    """Return the rows of all topics (None), or of those with these numbers."""
+    return rows if numbers is None else rows.filter(**{f"{path}__in": numbers})
 
 
 def _words(text: str) -> tuple[str, ...]:
@@ -94,17 +134,19 @@ def _topic(
     )
 
 
-def _frames(codes: Mapping[int, str]) -> tuple[ByTopic, dict[str, tuple[concepts.Frame, ...]]]:
+def _frames(
+    codes: Mapping[int, str], numbers: Collection[int] | None
+) -> tuple[ByTopic, dict[str, tuple[concepts.Frame, ...]]]:
     """Return the frames of topics by topic number, and those of pools by pool."""
     texts: dict[int, dict[str, str]] = defaultdict(dict)
-    for sentence in models.Sentence.objects.all():
+    for sentence in _of(models.Sentence.objects.all(), numbers, "frame__topic"):
         texts[sentence.frame_id][sentence.language] = sentence.text
     only: dict[int, list[str]] = defaultdict(list)
-    for row in models.Frame.only.through.objects.order_by("id"):
+    for row in _of(models.Frame.only.through.objects.order_by("id"), numbers, "frame__topic"):
         only[row.frame_id].append(codes[row.culture_id])
     topics: ByTopic = defaultdict(list)
     pools: dict[str, list[concepts.Frame]] = defaultdict(list)
-    for frame in models.Frame.objects.all():
+    for frame in _of(models.Frame.objects.all(), numbers):
         value = _frame(frame, texts[frame.pk], only[frame.pk])
         if frame.topic_id is None:
             pools[frame.pool].append(value)

@@ -1,17 +1,20 @@
 """The rows that experts edit: topics, what is said about them, and publications."""
 
-from django.conf import settings
 from django.core.exceptions import ValidationError
 from django.core.validators import MaxValueValidator, MinValueValidator
 from django.db import models
 from django.db.models import Q
+from django.utils.translation import gettext_lazy as _
 
 from dialogue import validators
 from dialogue.said import Frame, Sentence
 from dialogue.validators import languages, no_control
+from dialogue.versions import DraftVersion, Publication
+from plans.recording import Recorded
 
 __all__ = [
     "Culture",
+    "DraftVersion",
     "Frame",
     "KeywordSet",
     "Publication",
@@ -31,17 +34,18 @@ class Culture(models.Model):
         max_length=8,
         unique=True,
         validators=[validators.culture_code],
-        help_text="Short code in capitals. Example: EN",
+        help_text=_("Short code in capitals. Example: EN"),
     )
     names = models.JSONField(
         default=dict,
         validators=[validators.texts_by_language],
-        help_text='Its name in each language. Example: {"en": "Indian", "it": "indiana"}',
+        help_text=_('Its name in each language. Example: {"en": "Indian", "it": "indiana"}'),
     )
     language = models.CharField(
-        max_length=8, choices=languages, help_text="The language usually spoken. Example: en"
+        max_length=8, choices=languages, help_text=_("The language usually spoken. Example: en")
     )
-    position = models.PositiveIntegerField(default=0, help_text="Place in lists. Example: 1")
+    position = models.PositiveIntegerField(default=0, help_text=_("Place in lists. Example: 1"))
+    history = Recorded("code", sets=("frame_set",))
 
     class Meta:
         ordering = ["position", "id"]
@@ -54,11 +58,11 @@ class Topic(models.Model):
     """A concept people can talk about: a class of the TBox, a node of the Dialogue Tree."""
 
     key = models.CharField(
-        "name in the ontology",
+        _("name in the ontology"),
         max_length=100,
         unique=True,
         validators=[validators.one_name, validators.not_the_root],
-        help_text="One word in CamelCase, used as the OWL class. Example: GreenTea",
+        help_text=_("One word in CamelCase, used as the OWL class. Example: GreenTea"),
     )
     parent = models.ForeignKey(
         "self",
@@ -66,48 +70,53 @@ class Topic(models.Model):
         null=True,
         blank=True,
         related_name="children",
-        help_text="The more general topic. Empty for a branch. Example: Tea",
+        help_text=_("The more general topic. Empty for a branch. Example: Tea"),
     )
     also = models.ManyToManyField(
         "self",
         symmetrical=False,
         blank=True,
         related_name="lends_to",
-        help_text="Further topics whose sentences fit this one too. Example: Giftable",
+        help_text=_("Further topics whose sentences fit this one too. Example: Giftable"),
     )
     home = models.ForeignKey(
         Culture,
         models.PROTECT,
         null=True,
         blank=True,
-        help_text="The culture it belongs to, empty if shared. Example: IT for Gnocchi",
+        help_text=_("The culture it belongs to, empty if shared. Example: IT for Gnocchi"),
     )
     gentle = models.BooleanField(
         default=False,
-        help_text="A hard subject: never proposed by the agent, listened to gently. Example: grief",
+        help_text=_(
+            "A hard subject: never proposed by the agent, listened to gently. Example: grief"
+        ),
     )
     stop = models.CharField(
-        "inherits no sentences of",
+        _("inherits no sentences of"),
         max_length=8,
         blank=True,
         validators=[validators.sentence_types],
-        help_text="Letters of the types not taken from more general topics. Example: qg",
+        help_text=_("Letters of the types not taken from more general topics. Example: qg"),
     )
     pattern = models.CharField(
         max_length=200,
         blank=True,
         validators=[validators.patterns],
-        help_text="Order of the sentence types; alternatives after |. Example: q r w c [g] | c q r",
+        help_text=_(
+            "Order of the sentence types; alternatives after |. Example: q r w c [g] | c q r"
+        ),
     )
     note = models.TextField(
         blank=True,
         max_length=2000,
         validators=[no_control],
-        help_text="For colleagues. Example: checked by the nurses",
+        help_text=_("For colleagues. Example: checked by the nurses"),
     )
     position = models.PositiveIntegerField(
-        default=0, help_text="Place among its neighbours. Example: 3"
+        default=0, help_text=_("Place among its neighbours. Example: 3")
     )
+    history = Recorded(subject="pk", sets=("also", "lends_to"))
 
     class Meta:
         ordering = ["position", "id"]
@@ -119,8 +128,8 @@ class Topic(models.Model):
         above, passed = self.parent, []
         while above and above.pk not in passed:
             if above.pk == self.pk:
-                message = f"{self.key} would lie below itself. Choose a topic that is not below it."
-                raise ValidationError({"parent": message})
+                text = _("%(topic)s would lie below itself. Choose a topic that is not below it.")
+                raise ValidationError({"parent": text % {"topic": self.key}})
             passed.append(above.pk)
             above = above.parent
 
@@ -129,18 +138,21 @@ class TopicName(models.Model):
     """What a topic is called in one language, with the forms that cannot be derived."""
 
     topic = models.ForeignKey(Topic, models.CASCADE, related_name="names")
-    language = models.CharField(max_length=8, choices=languages, help_text="Example: it")
+    language = models.CharField(max_length=8, choices=languages, help_text=_("Example: it"))
     name = models.CharField(
         max_length=120,
         validators=[no_control],
-        help_text="What fits after “I like …”; in Italian without article. Example: tè verde",
+        help_text=_("What fits after “I like …”; in Italian without article. Example: tè verde"),
     )
     fields = models.JSONField(
-        "further forms",
+        _("further forms"),
         default=dict,
         blank=True,
-        help_text='Gender, number and irregular forms. Example: {"g": "m", "n": "p", "sg": "cane"}',
+        help_text=_(
+            'Gender, number and irregular forms. Example: {"g": "m", "n": "p", "sg": "cane"}'
+        ),
     )
+    history = Recorded("topic.key", subject="topic_id")
 
     class Meta:
         constraints = [
@@ -158,13 +170,16 @@ class Variable(models.Model):
     """A word that sentences of this topic and of all below it may use as `$unit`."""
 
     topic = models.ForeignKey(Topic, models.CASCADE, related_name="variables")
-    language = models.CharField(max_length=8, choices=languages, help_text="Example: en")
+    language = models.CharField(max_length=8, choices=languages, help_text=_("Example: en"))
     name = models.CharField(
         max_length=40,
         validators=[validators.variable_name],
-        help_text="Used in sentences after a $. Example: unit",
+        help_text=_("Used in sentences after a $. Example: unit"),
     )
-    text = models.CharField(max_length=120, validators=[no_control], help_text="Example: a cup of")
+    text = models.CharField(
+        max_length=120, validators=[no_control], help_text=_("Example: a cup of")
+    )
+    history = Recorded("topic.key", subject="topic_id", part="name")
 
     class Meta:
         constraints = [
@@ -179,18 +194,19 @@ class KeywordSet(models.Model):
     """The two sets of words by which a topic is recognised in one language."""
 
     topic = models.ForeignKey(Topic, models.CASCADE, related_name="keywords")
-    language = models.CharField(max_length=8, choices=languages, help_text="Example: en")
+    language = models.CharField(max_length=8, choices=languages, help_text=_("Example: en"))
     first = models.CharField(
         max_length=500,
         validators=[no_control, validators.keywords],
-        help_text="Words apart by |. Example: green|matcha",
+        help_text=_("Words apart by |. Example: green|matcha"),
     )
     second = models.CharField(
         max_length=500,
         validators=[no_control, validators.keywords],
         default="*",
-        help_text="A word of this set must be heard too; * means any. Example: tea",
+        help_text=_("A word of this set must be heard too; * means any. Example: tea"),
     )
+    history = Recorded("topic.key", subject="topic_id")
 
     class Meta:
         constraints = [
@@ -210,8 +226,11 @@ class TopicInstance(models.Model):
         max_digits=4,
         decimal_places=3,
         validators=[MinValueValidator(0), MaxValueValidator(1)],
-        help_text="How probable it is that a person of this culture likes it, 0 to 1. Example: 0.7",
+        help_text=_(
+            "How probable it is that a person of this culture likes it, 0 to 1. Example: 0.7"
+        ),
     )
+    history = Recorded("topic.key", subject="topic_id", part="culture.code")
 
     class Meta:
         constraints = [
@@ -219,7 +238,7 @@ class TopicInstance(models.Model):
             models.CheckConstraint(
                 condition=Q(likeliness__gte=0, likeliness__lte=1),
                 name="likeliness_0_to_1",
-                violation_error_message="The likeliness must be from 0 to 1.",
+                violation_error_message=_("The likeliness must be from 0 to 1."),
             ),
         ]
 
@@ -232,9 +251,10 @@ class TopicLink(models.Model):
 
     topic = models.ForeignKey(Topic, models.CASCADE, related_name="links")
     target = models.ForeignKey(
-        Topic, models.CASCADE, related_name="linked_from", help_text="Example: Milk"
+        Topic, models.CASCADE, related_name="linked_from", help_text=_("Example: Milk")
     )
-    position = models.PositiveIntegerField(default=0, help_text="Place in the list. Example: 1")
+    position = models.PositiveIntegerField(default=0, help_text=_("Place in the list. Example: 1"))
+    history = Recorded("topic.key", subject="topic_id", part="target.key")
 
     class Meta:
         ordering = ["position", "id"]
@@ -244,28 +264,10 @@ class TopicLink(models.Model):
         ]
 
     def __str__(self) -> str:
-        return f"to {self.target_id}"
+        return str(_("to %(topic)s") % {"topic": self.target_id})
 
     def clean(self) -> None:
         # The constraint is not asked where the topic's own page leaves the topic out.
         if self.topic_id and self.topic_id == self.target_id:
-            raise ValidationError({"target": "A topic cannot lead to itself. Choose another one."})
-
-
-class Publication(models.Model):
-    """One built Dialogue Tree with its plans: what robots use. Never changed once written."""
-
-    created = models.DateTimeField(auto_now_add=True)
-    author = models.ForeignKey(
-        settings.AUTH_USER_MODEL, models.SET_NULL, null=True, blank=True, editable=False
-    )
-    note = models.CharField(max_length=300, blank=True, help_text="Example: new topics about tea")
-    checksum = models.CharField(max_length=64, editable=False)
-    counts = models.JSONField(default=dict, editable=False)
-    data = models.BinaryField(editable=False)
-
-    class Meta:
-        ordering = ["-id"]
-
-    def __str__(self) -> str:
-        return f"Publication {self.pk}"
+            text = _("A topic cannot lead to itself. Choose another one.")
+            raise ValidationError({"target": text})

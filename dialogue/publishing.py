@@ -6,19 +6,23 @@ looks for a newer publication once a second, off the path of the requests.
 
 import logging
 import threading
+from collections.abc import Mapping
 from dataclasses import dataclass
 
+import msgspec
 from django.conf import settings
 from django.db import DatabaseError, close_old_connections, transaction
 
 from dialogue import models
 from dialogue.content import read_knowledge
-from dialogue.engine.build import build_tree
+from dialogue.draft import draft_version
 from dialogue.engine.checks import check_knowledge
 from dialogue.engine.content import Content, build_content
 from dialogue.engine.findings import Finding
 from dialogue.engine.library_checks import check_library
 from dialogue.engine.slots import missing_slots
+from dialogue.engine.tree import Tree
+from dialogue.garbage import collected_later
 from dialogue.snapshot import Snapshot, SnapshotError, checksum, pack, unpack
 from plans.content import read_library
 
@@ -37,38 +41,104 @@ class NothingPublishedError(LookupError):
     """No publication exists yet."""
 
 
-@transaction.atomic
-def publish(*, note: str = "", author: int | None = None) -> models.Publication:
+class DraftChangedError(RuntimeError):
+    """The draft is no longer what the person looked at, or somebody else is publishing it."""
+
+    def __init__(self) -> None:
+        super().__init__("The draft has changed meanwhile. Look at the changes and publish again.")
+
+
+#: The steps of publishing, in their order.
+STEPS = ("reading", "checking", "building", "conversations", "storing")
+
+
+class Watch:
+    """Hears how publishing goes on. What `built` raises stops it; then nothing has changed."""
+
+    def step(self, name: str) -> None:
+        """Hear that one of STEPS begins."""
+
+    def built(self, content: Content) -> None:
+        """Hear of what would be served."""
+
+
+@collected_later()
+def publish(
+    *,
+    note: str = "",
+    author: int | None = None,
+    expected: int | None = None,
+    watch: Watch | None = None,
+) -> models.Publication:
     """Check the draft, compile it to a snapshot, and make it what robots use.
 
-    Raises NotPublishableError with all errors; then nothing has changed. A draft that says exactly
-    what the last publication says gives that publication again.
+    Raises NotPublishableError with all errors, DraftChangedError where the draft is not at the
+    version `expected`; then nothing has changed. A draft that says exactly what the last
+    publication says gives that publication again.
     """
-    give_slots()
-    snapshot = _checked_draft()
-    return _store(pack(snapshot), counts(snapshot), note, author)
+    watch = watch or Watch()
+    watch.step("reading")
+    snapshot = _read_draft(expected)
+    watch.step("checking")
+    _refuse_errors(snapshot)
+    slots = missing_slots(snapshot.knowledge)
+    snapshot = _with_slots(snapshot, slots)
+    watch.step("building")
+    content = build_content(snapshot.knowledge, snapshot.library)
+    watch.step("conversations")
+    watch.built(content)
+    watch.step("storing")
+    data, counted = pack(snapshot), counts(snapshot, content.tree)
+    with transaction.atomic():
+        _give_slots(slots)
+        return _store(data, counted, note, author)
 
 
-def _checked_draft() -> Snapshot:
-    """Return the draft; NotPublishableError with all its errors where it has some."""
-    snapshot = Snapshot(knowledge=read_knowledge(), library=read_library())
+@transaction.atomic
+def _read_draft(expected: int | None = None) -> Snapshot:
+    if expected is not None and draft_version() != expected:
+        raise DraftChangedError
+    return Snapshot(knowledge=read_knowledge(), library=read_library())
+
+
+def _refuse_errors(snapshot: Snapshot) -> None:
     errors = [finding for finding in check(snapshot) if finding.error]
     if errors:
         raise NotPublishableError(errors)
-    return snapshot
+
+
+def _with_slots(snapshot: Snapshot, slots: Mapping[int, int]) -> Snapshot:
+    """Return the snapshot with these slots, by the number of the frame."""
+    replace, knowledge = msgspec.structs.replace, snapshot.knowledge
+    topics = tuple(
+        replace(
+            topic,
+            frames=tuple(
+                replace(frame, slot=slots.get(frame.number, frame.slot)) for frame in topic.frames
+            ),
+        )
+        if any(frame.number in slots for frame in topic.frames)
+        else topic
+        for topic in knowledge.topics
+    )
+    return replace(snapshot, knowledge=replace(knowledge, topics=topics))
+
+
+def _give_slots(slots: Mapping[int, int]) -> None:
+    """Give new frames their slots in the dialogue state, for ever."""
+    if not slots:
+        return
+    without = models.Frame.objects.filter(slot=-1).values_list("pk", flat=True)
+    if not slots.keys() <= set(without):
+        raise DraftChangedError
+    frames = [models.Frame(pk=number, slot=slot) for number, slot in slots.items()]
+    models.Frame.objects.bulk_update(frames, ["slot"], batch_size=400)
 
 
 def check(snapshot: Snapshot) -> list[Finding]:
     """Return what the checks find in a draft; errors stop its publication."""
     found = check_knowledge(snapshot.knowledge)
     return [*found, *check_library(snapshot.knowledge, snapshot.library)]
-
-
-def give_slots() -> None:
-    """Give every new frame its slot in the dialogue state."""
-    slots = missing_slots(read_knowledge())
-    frames = [models.Frame(pk=number, slot=slot) for number, slot in slots.items()]
-    models.Frame.objects.bulk_update(frames, ["slot"], batch_size=400)
 
 
 @transaction.atomic
@@ -95,9 +165,8 @@ def _store(
     )
 
 
-def counts(snapshot: Snapshot) -> dict[str, int]:
+def counts(snapshot: Snapshot, tree: Tree) -> dict[str, int]:
     """Return how many topics, sentences (one a topic and frame) and intents there are."""
-    tree = build_tree(snapshot.knowledge)
     sentences = sum(len(lines) for node in tree.nodes.values() for lines in node.lines.values())
     return {
         "topics": len(tree.nodes),
@@ -107,6 +176,7 @@ def counts(snapshot: Snapshot) -> dict[str, int]:
     }
 
 
+@collected_later()
 def load(number: int | None = None) -> Content:
     """Return the content of a publication, of the newest one without a number."""
     rows = models.Publication.objects.all()
@@ -117,9 +187,16 @@ def load(number: int | None = None) -> Content:
     return build_content(snapshot.knowledge, snapshot.library, row.pk)
 
 
+@collected_later()
 def draft() -> Content:
-    """Return the content of the draft, for trying it out. Raises NotPublishableError."""
-    snapshot = _checked_draft()
+    """Return the content of the draft, for trying it out. Raises NotPublishableError.
+
+    New sentences have the slots that publishing would give them, so that the same seed gives the
+    same talk before and after.
+    """
+    snapshot = _read_draft()
+    _refuse_errors(snapshot)
+    snapshot = _with_slots(snapshot, missing_slots(snapshot.knowledge))
     return build_content(snapshot.knowledge, snapshot.library)
 
 
@@ -144,6 +221,11 @@ def current() -> Content:
     if content is None or _served.watcher is None:
         return _first()
     return content
+
+
+def served_number() -> int | None:
+    """Return the number of the publication this worker serves, None where it serves none yet."""
+    return _served.content.number if _served.content else None
 
 
 def serve(content: Content | None) -> None:

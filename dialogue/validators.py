@@ -2,6 +2,8 @@
 
 from django.core.exceptions import ValidationError
 from django.core.validators import RegexValidator
+from django.utils.translation import gettext
+from django.utils.translation import gettext_lazy as _
 
 from dialogue.engine.concepts import ROOT
 from dialogue.engine.lines import ProposalError, parse_proposal
@@ -16,40 +18,41 @@ from plans.validators import languages, no_control, texts_by_language
 __all__ = ["languages", "no_control", "texts_by_language"]
 
 SCOPE_CHOICES = [
-    ("", "this topic and everything below it"),
-    ("self", "this topic only"),
-    ("below", "only what is below this topic"),
+    ("", _("this topic and everything below it")),
+    ("self", _("this topic only")),
+    ("below", _("only what is below this topic")),
 ]
 
 one_name = RegexValidator(
-    r"\A[A-Za-z][A-Za-z0-9]{0,99}\Z", "Write one word of letters and digits, e.g. GreenTea."
+    r"\A[A-Za-z][A-Za-z0-9]{0,99}\Z", _("Write one word of letters and digits, e.g. GreenTea.")
 )
-culture_code = RegexValidator(r"\A[A-Z]{2,8}\Z", "Write two to eight capitals, e.g. EN.")
-sentence_types = RegexValidator(r"\A[qpnwcgte]*\Z", "Use the letters of sentence types.")
-variable_name = RegexValidator(r"\A[a-z][a-z_]*\Z", "Small letters only, e.g. unit.")
+culture_code = RegexValidator(r"\A[A-Z]{2,8}\Z", _("Write two to eight capitals, e.g. EN."))
+sentence_types = RegexValidator(r"\A[qpnwcgte]*\Z", _("Use the letters of sentence types."))
+variable_name = RegexValidator(r"\A[a-z][a-z_]*\Z", _("Small letters only, e.g. unit."))
 frame_key = RegexValidator(
-    r"\A[A-Za-z][A-Za-z0-9_]{0,99}\.[a-z]?[0-9]{1,4}\Z", "Write it like GreenTea.q1."
+    r"\A[A-Za-z][A-Za-z0-9_]{0,99}\.[a-z]?[0-9]{1,4}\Z", _("Write it like GreenTea.q1.")
 )
 keywords = RegexValidator(
     r"\A(?!.* / )(?!\s*/)(?!.*/\s*\Z)[^\n]*\Z",
-    "Write one set of words apart by |; the second set has a field of its own.",
+    _("Write one set of words apart by |; the second set has a field of its own."),
 )
 
 
 def types() -> list[tuple[str, str]]:
     """Return the choices of sentence types; a function, so that a new one needs no migration."""
-    return [(row.letter, f"{row.letter}: {row.name}") for row in SENTENCE_TYPES.values()]
+    return [(row.letter, f"{row.letter}: {gettext(row.name)}") for row in SENTENCE_TYPES.values()]
 
 
 def pools() -> list[tuple[str, str]]:
     """Return the choices of pools."""
-    return [(pool.name, f"{pool.name}: {pool.used_when}") for pool in POOLS.values()]
+    return [(pool.name, f"{pool.name}: {gettext(pool.used_when)}") for pool in POOLS.values()]
 
 
 def not_the_root(key: str) -> None:
     """Refuse the name of the root, which stands above all topics."""
     if key == ROOT:
-        raise ValidationError(f"{ROOT} is the root itself. Choose another name.")
+        text = _("%(root)s is the root itself. Choose another name.")
+        raise ValidationError(text % {"root": ROOT})
 
 
 def patterns(text: str) -> None:
@@ -74,9 +77,10 @@ def check_name(language: str, name: str, fields: object) -> None:
     if known is None or not name:
         return
     if not isinstance(fields, dict) or not all(isinstance(text, str) for text in fields.values()):
-        raise ValidationError({"fields": 'Write texts by name, e.g. {"g": "m", "n": "p"}.'})
+        text = _('Write texts by name, e.g. {"g": "m", "n": "p"}.')
+        raise ValidationError({"fields": text})
     if "name" in fields:
-        raise ValidationError({"fields": "The name itself has a field of its own."})
+        raise ValidationError({"fields": _("The name itself has a field of its own.")})
     try:
         known.name_forms({"name": name, **fields})
     except FormError as error:

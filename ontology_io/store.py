@@ -7,13 +7,16 @@ from django.db import models as db
 from django.db import transaction
 
 from dialogue import models
+from dialogue.bulk import note_about_draft
 from dialogue.content import read_knowledge
+from dialogue.draft import touch_draft
 from dialogue.engine.concepts import ROOT, Frame, Knowledge, Topic
 from ontology_io.differences import Differences, changed_topics, differences
 from ontology_io.library_store import write_library
 from ontology_io.numbering import highest_numbers, numbered, raise_last_numbers
 from ontology_io.records import KnowledgeBase
 from plans.content import read_library
+from plans.recording import in_bulk
 
 Row = TypeVar("Row", bound=db.Model)
 BATCH = 400
@@ -25,21 +28,32 @@ def read_base() -> KnowledgeBase:
 
 
 @transaction.atomic
-def write_base(base: KnowledgeBase, last: Mapping[str, int] | None = None) -> Differences:
+def write_base(
+    base: KnowledgeBase,
+    last: Mapping[str, int] | None = None,
+    *,
+    told: str = "content loaded from files",
+) -> Differences:
     """Make the draft say what the knowledge base says; return what that changed.
 
     Only rows of topics that differ are written; numbers once given are never given again.
+    The history gets one line about it, `told`.
     """
     old = read_base()
     raise_last_numbers(last or {})
     new = numbered(base, old)
-    _write_cultures(old.knowledge, new.knowledge)
-    _write_topics(old.knowledge, new.knowledge)
-    _write_pools(old.knowledge, new.knowledge)
-    _delete_cultures(new.knowledge)
-    write_library(old.library, new.library)
+    with in_bulk():
+        _write_cultures(old.knowledge, new.knowledge)
+        _write_topics(old.knowledge, new.knowledge)
+        _write_pools(old.knowledge, new.knowledge)
+        _delete_cultures(new.knowledge)
+        write_library(old.library, new.library)
     raise_last_numbers(highest_numbers(new))
-    return differences(old, new)
+    changed = differences(old, new)
+    if changed:
+        touch_draft()
+        note_about_draft(told)
+    return changed
 
 
 def _create(model: type[Row], rows: Iterable[Row]) -> None:

@@ -2,8 +2,10 @@
 
 from django.core.validators import MaxValueValidator
 from django.db import models
+from django.utils.translation import gettext_lazy as _
 
 from plans import validators
+from plans.recording import Recorded
 from plans.validators import languages, no_control, one_word
 
 
@@ -11,14 +13,15 @@ class Phrase(models.Model):
     """A piece of pattern with a name, used in triggers as `<please>`."""
 
     key = models.CharField(
-        max_length=60, unique=True, validators=[one_word], help_text="Example: please"
+        max_length=60, unique=True, validators=[one_word], help_text=_("Example: please")
     )
     texts = models.JSONField(
         default=dict,
         validators=[validators.texts_by_language],
-        help_text='The pattern in each language. Example: {"en": "please|could you"}',
+        help_text=_('The pattern in each language. Example: {"en": "please|could you"}'),
     )
     position = models.PositiveIntegerField(default=0)
+    history = Recorded()
 
     class Meta:
         ordering = ["position", "id"]
@@ -31,14 +34,15 @@ class ValueList(models.Model):
     """Words with one meaning for a parameter: "più forte" means louder."""
 
     key = models.CharField(
-        max_length=60, unique=True, validators=[one_word], help_text="Example: volume_level"
+        max_length=60, unique=True, validators=[one_word], help_text=_("Example: volume_level")
     )
     values = models.JSONField(
         default=dict,
         validators=[validators.words_by_value],
-        help_text='Language → value → words. Example: {"en": {"louder": ["louder", "up"]}}',
+        help_text=_('Language → value → words. Example: {"en": {"louder": ["louder", "up"]}}'),
     )
     position = models.PositiveIntegerField(default=0)
+    history = Recorded()
 
     class Meta:
         ordering = ["position", "id"]
@@ -51,29 +55,30 @@ class Intent(models.Model):
     """Something a person may ask for or say about the talk itself."""
 
     key = models.CharField(
-        max_length=60, unique=True, validators=[one_word], help_text="Example: playsong"
+        max_length=60, unique=True, validators=[one_word], help_text=_("Example: playsong")
     )
     priority = models.PositiveSmallIntegerField(
         default=50,
         validators=[MaxValueValidator(100)],
-        help_text="100 safety, 80 wishes about the talk, 50 robot actions, 40 appreciation.",
+        help_text=_("100 safety, 80 wishes about the talk, 50 robot actions, 40 appreciation."),
     )
     family = models.CharField(
         max_length=60,
         blank=True,
         validators=[one_word],
-        help_text="Groups intents for authors. Example: media",
+        help_text=_("Groups intents for authors. Example: media"),
     )
     abilities = models.JSONField(
         default=dict,
         blank=True,
         validators=[validators.texts_by_language],
-        help_text='What comes after "I can". Example: {"en": "play a song"}',
+        help_text=_('What comes after "I can". Example: {"en": "play a song"}'),
     )
     note = models.TextField(
-        blank=True, max_length=2000, validators=[no_control], help_text="For colleagues."
+        blank=True, max_length=2000, validators=[no_control], help_text=_("For colleagues.")
     )
     position = models.PositiveIntegerField(default=0)
+    history = Recorded(subject="pk")
 
     class Meta:
         ordering = ["position", "id"]
@@ -86,22 +91,25 @@ class Slot(models.Model):
     """A parameter captured from the sentence, written `{title}` in triggers."""
 
     intent = models.ForeignKey(Intent, models.CASCADE, related_name="slots")
-    name = models.CharField(max_length=40, validators=[one_word], help_text="Example: title")
+    name = models.CharField(max_length=40, validators=[one_word], help_text=_("Example: title"))
     kind = models.CharField(
         max_length=80,
         default="text",
         validators=[validators.slot_kind],
-        help_text="text, topic, number, duration, time, date, yes_no or value:list. "
-        "Example: value:volume_level",
+        help_text=_(
+            "text, topic, number, duration, time, date, yes_no or value:list. "
+            "Example: value:volume_level"
+        ),
     )
-    required = models.BooleanField(default=False, help_text="Ask for it when it is missing.")
+    required = models.BooleanField(default=False, help_text=_("Ask for it when it is missing."))
     questions = models.JSONField(
         default=dict,
         blank=True,
         validators=[validators.texts_by_language],
-        help_text='How to ask. Example: {"en": "Which song?"}',
+        help_text=_('How to ask. Example: {"en": "Which song?"}'),
     )
     position = models.PositiveIntegerField(default=0)
+    history = Recorded("intent.key", subject="intent_id", part="name")
 
     class Meta:
         ordering = ["position", "id"]
@@ -115,13 +123,14 @@ class Trigger(models.Model):
     """A trigger sentence: one way to say it, as a pattern."""
 
     intent = models.ForeignKey(Intent, models.CASCADE, related_name="triggers")
-    language = models.CharField(max_length=8, choices=languages, help_text="Example: en")
+    language = models.CharField(max_length=8, choices=languages, help_text=_("Example: en"))
     text = models.CharField(
         max_length=500,
         validators=[no_control, validators.trigger_pattern],
-        help_text="Example: (play|put on) [the song] {title}",
+        help_text=_("Example: (play|put on) [the song] {title}"),
     )
     position = models.PositiveIntegerField(default=0)
+    history = Recorded("intent.key", subject="intent_id")
 
     class Meta:
         ordering = ["position", "id"]
@@ -134,17 +143,18 @@ class PlanSentence(models.Model):
     """What the agent says before the plan."""
 
     intent = models.ForeignKey(Intent, models.CASCADE, related_name="plan_sentences")
-    language = models.CharField(max_length=8, choices=languages, help_text="Example: en")
+    language = models.CharField(max_length=8, choices=languages, help_text=_("Example: en"))
     text = models.CharField(
-        max_length=400, validators=[no_control], help_text="Example: Let us listen to {title}."
+        max_length=400, validators=[no_control], help_text=_("Example: Let us listen to {title}.")
     )
     only = models.CharField(
         max_length=80,
         blank=True,
         validators=[validators.culture_codes],
-        help_text="Codes of cultures, empty for all. Example: IN EN",
+        help_text=_("Codes of cultures, empty for all. Example: IN EN"),
     )
     position = models.PositiveIntegerField(default=0)
+    history = Recorded("intent.key", subject="intent_id")
 
     class Meta:
         ordering = ["position", "id"]
@@ -154,12 +164,14 @@ class PlanSentence(models.Model):
 
 
 class _Action(models.Model):
-    action = models.CharField(max_length=60, validators=[one_word], help_text="Example: playsong")
+    action = models.CharField(
+        max_length=60, validators=[one_word], help_text=_("Example: playsong")
+    )
     parameters = models.JSONField(
         default=list,
         blank=True,
         validators=[validators.parameter_pairs],
-        help_text='Names and values in order. Example: [["title", "{title}"]]',
+        help_text=_('Names and values in order. Example: [["title", "{title}"]]'),
     )
     position = models.PositiveIntegerField(default=0)
 
@@ -175,31 +187,36 @@ class PlanAction(_Action):
     """An action for the client to execute."""
 
     intent = models.ForeignKey(Intent, models.CASCADE, related_name="plan_actions")
+    history = Recorded("intent.key", subject="intent_id", part="action")
 
 
 class KBPlanAction(_Action):
     """An action on the knowledge base or on the flow of the talk."""
 
     intent = models.ForeignKey(Intent, models.CASCADE, related_name="kbplan_actions")
+    history = Recorded("intent.key", subject="intent_id", part="action")
 
 
 class IntentTest(models.Model):
     """A stored test: a sentence and what must be captured from it."""
 
     intent = models.ForeignKey(Intent, models.CASCADE, related_name="tests")
-    language = models.CharField(max_length=8, choices=languages, help_text="Example: en")
+    language = models.CharField(max_length=8, choices=languages, help_text=_("Example: en"))
     sentence = models.CharField(
         max_length=500,
         validators=[no_control, validators.test_sentence],
-        help_text="Example: Play Hey Brother",
+        help_text=_("Example: Play Hey Brother"),
     )
     parameters = models.JSONField(
         null=True,
         blank=True,
         validators=[validators.expected_parameters],
-        help_text='What must be captured; empty: must not match. Example: {"title": "Hey Brother"}',
+        help_text=_(
+            'What must be captured; empty: must not match. Example: {"title": "Hey Brother"}'
+        ),
     )
     position = models.PositiveIntegerField(default=0)
+    history = Recorded("intent.key", subject="intent_id", part="sentence")
 
     class Meta:
         ordering = ["position", "id"]

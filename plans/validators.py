@@ -5,6 +5,8 @@ from collections.abc import Iterator, Mapping
 
 from django.core.exceptions import ValidationError
 from django.core.validators import RegexValidator
+from django.utils.text import format_lazy
+from django.utils.translation import gettext_lazy as _
 
 from languages.known import LANGUAGES
 from plans.engine.intents import SLOT_KINDS, ActionItem
@@ -14,18 +16,21 @@ from plans.engine.plan_text import PlanTextError, parse_plan, print_plan
 LONGEST_TEXT = 2000
 
 one_word = RegexValidator(
-    r"\A[a-z][a-z0-9_]{0,59}\Z", "Write one word of small letters, e.g. playsong."
+    r"\A[a-z][a-z0-9_]{0,59}\Z", _("Write one word of small letters, e.g. playsong.")
 )
 no_control = RegexValidator(
     r"\A[^\x00-\x08\x0b-\x1f\x7f\ud800-\udfff\ufffe\uffff]*\Z",
-    "Remove the invisible control characters (they often come with pasted text).",
+    _("Remove the invisible control characters (they often come with pasted text)."),
 )
 slot_kind = RegexValidator(
     rf"\A({'|'.join(SLOT_KINDS)}|value:[a-z][a-z0-9_]*)\Z",
-    f"Write {', '.join(SLOT_KINDS)} or value: and a list, e.g. value:volume_level.",
+    format_lazy(
+        _("Write {kinds} or value: and a list, e.g. value:volume_level."),
+        kinds=", ".join(SLOT_KINDS),
+    ),
 )
 culture_codes = RegexValidator(
-    r"\A([A-Z]{2,8}( [A-Z]{2,8})*)?\Z", "Write codes of cultures apart by blanks, e.g. IN EN."
+    r"\A([A-Z]{2,8}( [A-Z]{2,8})*)?\Z", _("Write codes of cultures apart by blanks, e.g. IN EN.")
 )
 
 _PARAMETER = re.compile(r"[a-z][a-z0-9_]*")
@@ -39,29 +44,32 @@ def languages() -> list[tuple[str, str]]:
 
 def texts_by_language(value: object) -> None:
     """Refuse all but a text for each of some languages: {"en": "Which song?"}."""
-    for code, text in _languages(value, 'Write {"en": "…"}: a text for each language.'):
-        _text(text, f"The text of {code!r}")
+    for code, text in _languages(value, str(_('Write {"en": "…"}: a text for each language.'))):
+        _text(text, _("The text of “%(language)s”") % {"language": code})
 
 
 def words_by_value(value: object) -> None:
     """Refuse all but language → value → words: {"en": {"louder": ["louder", "up"]}}."""
-    shape = 'Write {"en": {"louder": ["louder", "up"]}}: the words of each value.'
+    shape = str(_('Write {"en": {"louder": ["louder", "up"]}}: the words of each value.'))
     for code, lists in _languages(value, shape):
         if not isinstance(lists, dict):
             raise ValidationError(f"{code}: {shape}")
         for name, words in lists.items():
-            _text(name, f"A value in {code!r}")
+            place = {"value": name, "language": code}
+            _text(name, _("A value in “%(language)s”") % place)
             if not isinstance(words, list):
-                raise ValidationError(f"{code}, {name!r}: write a list of words in [ ].")
+                text = _("%(language)s, “%(value)s”: write a list of words in [ ].")
+                raise ValidationError(text % place)
             for word in words:
-                _text(word, f"A word of {name!r} in {code!r}")
+                _text(word, _("A word of “%(value)s” in “%(language)s”") % place)
                 if "|" in word:
-                    raise ValidationError(f"{word!r}: write words one by one, without |.")
+                    text = _("“%(word)s”: write words one by one, without |.")
+                    raise ValidationError(text % {"word": word})
 
 
 def parameter_pairs(value: object) -> None:
     """Refuse all but names with values in order: [["title", "{title}"]]."""
-    shape = 'Write [["title", "{title}"]]: names and values in order.'
+    shape = str(_('Write [["title", "{title}"]]: names and values in order.'))
     if not isinstance(value, list) or not all(map(_is_pair, value)):
         raise ValidationError(shape)
     item = ActionItem(action="plan", parameters=tuple((name, text) for name, text in value))
@@ -70,17 +78,18 @@ def parameter_pairs(value: object) -> None:
     except PlanTextError as error:
         raise ValidationError(str(error)) from error
     if not same:
-        raise ValidationError("A value cannot hold # or name=, nor begin or end with a blank.")
+        raise ValidationError(_("A value cannot hold # or name=, nor begin or end with a blank."))
 
 
 def expected_parameters(value: object) -> None:
     """Refuse all but names with what must be captured: {"title": "Hey Brother"}."""
     if not isinstance(value, dict):
-        raise ValidationError('Write {"title": "Hey Brother"}, or leave it empty.')
+        raise ValidationError(_('Write {"title": "Hey Brother"}, or leave it empty.'))
     for name, text in value.items():
         if not _PARAMETER.fullmatch(name):
-            raise ValidationError(f"{name!r}: write a name of small letters, e.g. title.")
-        _text(text, f"The value of {name!r}")
+            said = _("“%(name)s”: write a name of small letters, e.g. title.")
+            raise ValidationError(said % {"name": name})
+        _text(text, _("The value of “%(name)s”") % {"name": name})
         test_sentence(text)
 
 
@@ -88,7 +97,9 @@ def test_sentence(text: str) -> None:
     """Refuse what the files of content/ use to part a sentence from what is expected."""
     found = [mark for mark in _KEPT_FOR_FILES if mark in text]
     if found:
-        raise ValidationError(f"A test cannot hold {found[0]!r}.")
+        # Told by its name where it cannot be seen.
+        mark = repr(found[0])
+        raise ValidationError(_("A test cannot hold %(mark)s.") % {"mark": mark})
 
 
 def trigger_pattern(text: str) -> None:
@@ -113,12 +124,16 @@ def _languages(value: object, shape: str) -> Iterator[tuple[str, object]]:
 def _known(value: Mapping[str, object]) -> None:
     for code in value:
         if code not in LANGUAGES:
-            raise ValidationError(f"{code!r} is no language; use {', '.join(LANGUAGES)}.")
+            said = _("“%(code)s” is no language; use %(languages)s.")
+            raise ValidationError(said % {"code": code, "languages": ", ".join(LANGUAGES)})
 
 
 def _text(text: object, what: str) -> None:
     if not isinstance(text, str) or not text.strip() or text != text.strip():
-        raise ValidationError(f"{what} must be a text without outer blanks, in quotes.")
+        said = _("%(what)s must be a text without outer blanks, in quotes.")
+        raise ValidationError(said % {"what": what})
     if len(text) > LONGEST_TEXT:
-        raise ValidationError(f"{what} has {len(text)} characters; {LONGEST_TEXT} at most.")
+        said = _("%(what)s has %(length)s characters; %(most)s at most.")
+        values = {"what": what, "length": len(text), "most": LONGEST_TEXT}
+        raise ValidationError(said % values)
     no_control(text)

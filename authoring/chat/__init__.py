@@ -1,0 +1,1 @@
+"""The test chat and the conversations that are kept as tests."""

@@ -1,0 +1,1 @@
+"""What the checks find, in words, with the row to mend."""

@@ -1,0 +1,1 @@
+"""The pages of the admin besides the forms of rows; `table` lists them."""

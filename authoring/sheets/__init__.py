@@ -1,0 +1,1 @@
+"""Spreadsheets of the draft: out, in, and what a sheet would change before it does."""

@@ -1,0 +1,1 @@
+"""The tree: browsing, searching, moving a topic."""
