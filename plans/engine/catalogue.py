@@ -178,12 +178,12 @@ def _best(candidates: tuple[Candidate, ...], way: Way) -> IntentMatch:
 
 
 def _why(first: Candidate, second: Candidate | None) -> str:
-    words = f"'{first.trigger}' fits with {first.score[1]} literal units"
+    words = f"'{first.trigger}' fits with {first.score[1]} words of its own"
     if first.change:
         words = f"{first.change}; {words}"
     if second is None:
         return f"{words}; no other intent fits"
-    reasons = ("priority", "literal units", "listed values", "fewer free slots", "shorter slots")
+    reasons = ("priority", "words of its own", "listed values", "fewer free slots", "shorter slots")
     pairs = zip(reasons, first.score, second.score, strict=True)
     reason = next((name for name, one, two in pairs if one != two), "its place in the library")
     return f"{words}; it wins over '{second.trigger}' of {second.intent.key} by {reason}"
