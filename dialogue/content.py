@@ -64,8 +64,11 @@ class _Parts:
     ) -> None:
         self.keys = keys
         self.names: dict[int, dict[str, dict[str, str]]] = defaultdict(dict)
-        for name in _of(models.TopicName.objects.all(), numbers):
-            self.names[name.topic_id][name.language] = {"name": name.name, **name.fields}
+        names = _of(models.TopicName.objects.all(), numbers)
+        for topic, language, name, fields in names.values_list(
+            "topic_id", "language", "name", "fields"
+        ):
+            self.names[topic][language] = {"name": name, **fields}
         self.variables: dict[int, dict[str, dict[str, str]]] = defaultdict(dict)
         for variable in _of(models.Variable.objects.order_by("id"), numbers):
             texts = self.variables[variable.topic_id].setdefault(variable.language, {})
@@ -84,11 +87,14 @@ class _Parts:
             self._read_what_leads_here(codes)
 
     def _read_what_leads_here(self, codes: Mapping[int, str]) -> None:
-        for row in models.KeywordSet.objects.all():
-            self.keywords[row.topic_id][row.language] = (_words(row.first), _words(row.second))
-        for instance in models.TopicInstance.objects.order_by("culture__position"):
-            value = float(instance.likeliness)
-            self.likeliness[instance.topic_id][codes[instance.culture_id]] = value
+        sets = models.KeywordSet.objects.values_list("topic_id", "language", "first", "second")
+        for topic, language, first, second in sets:
+            self.keywords[topic][language] = (_words(first), _words(second))
+        instances = models.TopicInstance.objects.order_by("culture__position")
+        for topic, culture, likeliness in instances.values_list(
+            "topic_id", "culture_id", "likeliness"
+        ):
+            self.likeliness[topic][codes[culture]] = float(likeliness)
 
 
 def _of(
@@ -139,8 +145,10 @@ def _frames(
 ) -> tuple[ByTopic, dict[str, tuple[concepts.Frame, ...]]]:
     """Return the frames of topics by topic number, and those of pools by pool."""
     texts: dict[int, dict[str, str]] = defaultdict(dict)
-    for sentence in _of(models.Sentence.objects.all(), numbers, "frame__topic"):
-        texts[sentence.frame_id][sentence.language] = sentence.text
+    # Plain values where rows are many: an instance of a model costs several times as much.
+    said = _of(models.Sentence.objects.all(), numbers, "frame__topic")
+    for number, language, text in said.values_list("frame_id", "language", "text"):
+        texts[number][language] = text
     only: dict[int, list[str]] = defaultdict(list)
     for row in _of(models.Frame.only.through.objects.order_by("id"), numbers, "frame__topic"):
         only[row.frame_id].append(codes[row.culture_id])

@@ -4,7 +4,7 @@ from pathlib import Path
 
 import pytest
 from django.apps import apps
-from django.db import connection
+from django.db import connection, transaction
 
 from ontology_io.files.folder import Folder, read_folder
 from ontology_io.store import write_base
@@ -27,7 +27,8 @@ def empty_draft(db: None) -> None:
         for app in ("dialogue", "plans")
         for model in apps.get_app_config(app).get_models(include_auto_created=True)
     ]
-    with connection.cursor() as cursor:
+    # Within one transaction, so that the order of the tables does not matter.
+    with transaction.atomic(), connection.cursor() as cursor:
         cursor.execute("PRAGMA defer_foreign_keys = ON")
         for table in tables:
             cursor.execute(f'DELETE FROM "{table}"')  # noqa: S608 - names of our own tables
