@@ -1,22 +1,11 @@
-"""Writing the draft in bulk: no record a row, one line in the history about the whole draft."""
-
-from collections.abc import Iterator
-from contextlib import contextmanager
+"""What was written in bulk is told in one line of the history, about the whole draft."""
 
 from django.utils import timezone
 
 from dialogue.models import DraftVersion
-from plans.recording import in_bulk, person
+from plans.recording import person
 
 LONGEST = 100
-
-
-@contextmanager
-def written_in_bulk(words: str) -> Iterator[None]:
-    """Write rows unrecorded inside the block, then leave the line, e.g. "content loaded"."""
-    with in_bulk():
-        yield
-    note_about_draft(words)
 
 
 def note_about_draft(words: str) -> None:

@@ -13,7 +13,6 @@ from django.contrib.auth import get_user_model
 from django.db.models import Model, Q, QuerySet, Value
 
 from authoring.history.history_words import headline, told_fields
-from dialogue.bulk import note_about_draft as note_about_draft
 
 CREATED, CHANGED, DELETED = "+", "~", "-"
 APPS = ("dialogue", "plans")

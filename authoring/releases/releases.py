@@ -11,7 +11,6 @@ from django.db import transaction
 from django.db.models import QuerySet
 from django.utils.translation import gettext
 
-from authoring.history.history import note_about_draft
 from authoring.releases.release_notes import Notes, notes
 from dialogue.content import read_knowledge
 from dialogue.draft import draft_version
@@ -25,7 +24,6 @@ from ontology_io.numbering import last_numbers
 from ontology_io.records import KnowledgeBase
 from ontology_io.store import write_base
 from plans.content import read_library
-from plans.recording import in_bulk
 
 #: So many comparisons are kept in a worker.
 MOST_KEPT = 16
@@ -160,8 +158,8 @@ def take_back(row: Publication, expected: int) -> None:
     the version that the person looked at.
     """
     held = snapshot(row)
-    with transaction.atomic(), in_bulk():
+    told = gettext("The draft says what release %(number)s said.") % {"number": row.pk}
+    with transaction.atomic():
         if draft_version() != expected:
             raise DraftChangedError
-        write_base(KnowledgeBase(knowledge=held.knowledge, library=held.library))
-    note_about_draft(gettext("The draft says what release %(number)s said.") % {"number": row.pk})
+        write_base(KnowledgeBase(knowledge=held.knowledge, library=held.library), told=told)

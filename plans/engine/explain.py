@@ -76,8 +76,10 @@ def explain(catalogue: Catalogue, sentence: str, language: str) -> Explanation:
     winner = _winner(match, ranked, sentence) if match else None
     losers = tuple(_losers(ranked))
     near = [miss for each in _explaining(matchers) for miss in each.near(sentence, MOST_NEAR)]
+    words = next((each.words(sentence) for each in _explaining(matchers)), ())
+    catalogue.forget(language)
     return Explanation(
-        words=next((each.words(sentence) for each in _explaining(matchers)), ()),
+        words=words,
         winner=winner,
         losers=losers,
         near=tuple(_near(miss) for miss in _not_known(near, winner, losers)[:MOST_NEAR]),

@@ -18,11 +18,11 @@ from authoring.history.history import (
 )
 from authoring.roles import AUTHOR, PUBLISHER, RESEARCHER
 from dialogue import models
-from dialogue.bulk import written_in_bulk
+from dialogue.bulk import note_about_draft
 from dialogue.content import read_knowledge
 from dialogue.draft import draft_version
 from plans.models import Intent, Trigger
-from plans.recording import recorded_for
+from plans.recording import in_bulk, recorded_for
 from tests.admin.pages import send
 from tests.authoring.people import logged_in, person
 
@@ -231,8 +231,10 @@ def test_records_that_are_none_are_not_found(model: str, maria: Client) -> None:
 
 def test_bulk_writing_leaves_one_line() -> None:
     request = SimpleNamespace(user=person(AUTHOR))
-    with recorded_for(request), written_in_bulk("content loaded from files"):
-        Trigger.objects.earliest("pk").delete()
+    with recorded_for(request):
+        with in_bulk():
+            Trigger.objects.earliest("pk").delete()
+        note_about_draft("content loaded from files")
     one = changes(Wanted())[0]
     assert (one.model, one.reason) == (DRAFT, "content loaded from files")
     assert found() == []

@@ -11,8 +11,8 @@ from pytest_django import DjangoAssertNumQueries
 
 from authoring.releases import releases
 from dialogue.content import read_knowledge
+from dialogue.models import DraftVersion, Publication, Sentence, TopicInstance, TopicName
 from dialogue.models import Frame as FrameRow
-from dialogue.models import Publication, Sentence, TopicInstance, TopicName
 from dialogue.publishing import publish
 from ontology_io.files.folder import Folder, read_folder
 from tests.authoring.people import logged_in
@@ -139,9 +139,13 @@ def test_the_draft_can_be_made_to_say_what_a_release_said(
     assert "New sentence Drink.q1 (yes/no question):" in page
     data = {"draft": str(releases.draft_version())}
     address = reverse("admin:release_draft", args=[two_releases[1]])
+    lines = DraftVersion.history.count()
     response = admin_client.post(address, data, follow=True)
     assert "Robots say it once you publish" in response.content.decode()
     assert read_knowledge() == before
+    told = DraftVersion.history.first().history_change_reason
+    assert told == f"The draft says what release {two_releases[1]} said."
+    assert DraftVersion.history.count() == lines + 1
 
 
 def test_a_draft_that_changed_meanwhile_is_not_written_over(

@@ -3,6 +3,7 @@
 import gc
 
 from plans.engine.catalogue import compile_catalogue
+from plans.engine.explain import explain
 from plans.engine.matchers.patterns_hearing import Hearing
 from tests.engine.plans.worlds import LIBRARY
 
@@ -14,5 +15,6 @@ def test_nothing_that_was_said_is_kept_after_the_turn() -> None:
     for sentence in SAID:
         if robot.match(sentence, "en") is None:
             robot.suggest(sentence, "en")
+    explain(robot, SAID[0], "en")
     heard = [one.reading.sentence for one in gc.get_objects() if isinstance(one, Hearing)]
     assert [sentence for sentence in heard if sentence in SAID] == []
