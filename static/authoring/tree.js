@@ -23,6 +23,8 @@ function searchAsOneTypes() {
     clearTimeout(waiting);
     waiting = setTimeout(find, 250);
   });
+  // Words typed while this page was still loading, or put back by the browser.
+  if (field.value !== field.defaultValue) find();
   async function find() {
     const mine = (last += 1);
     const asked = new URLSearchParams(new FormData(form));

@@ -5,7 +5,7 @@ from collections.abc import Callable
 from dataclasses import dataclass
 
 import pytest
-from playwright.sync_api import Locator, Page, expect
+from playwright.sync_api import Locator, Page, Route, expect
 
 from tests.browser.admin import hub
 from tests.browser.admin.conftest import Desk
@@ -32,6 +32,7 @@ class Walker:
         """Search the tree from the start page, open the topic, let an Indian speaker listen."""
         self.page.goto("/admin/")
         self.page.locator('#menu a[href$="/tree/"]').click()
+        self.page.wait_for_url("**/tree/")
         self.page.locator("#tree-q").fill("green tea")
         self.page.locator(".hits a", has_text="GreenTea").first.click()
         panel = self.page.locator("#tree-panel")
@@ -50,6 +51,7 @@ class Walker:
 
     def change(self, words: str) -> None:
         """Change the sentence in place."""
+        self.page.wait_for_load_state()
         self.remark().locator(".edit-here").click()
         self.remark().locator("textarea[lang=en]").fill(words)
         self.remark().locator("form.in-place [type=submit]").click()
@@ -155,6 +157,7 @@ def test_a_wrong_variable_is_refused_where_it_stands(opened: Callable[..., Page]
     page.locator("#result_list tbody a", has_text="GreenTea").first.click()
     row = page.locator("#kind-c .sentence-row", has=page.locator(".edit-here")).first
     old = row.locator(".words").inner_text()
+    page.wait_for_load_state()
     row.locator(".edit-here").click()
     row.locator("textarea[lang=en]").fill("Have you ever tried $hasNmae?")
     row.locator("form.in-place [type=submit]").click()
@@ -173,6 +176,8 @@ def test_the_second_of_two_experts_sees_the_words_of_the_first(
     for page in pages:
         page.goto("/admin/dialogue/topic/?q=MasalaChai")
         page.locator("#result_list tbody a", has_text="MasalaChai").first.click()
+        page.locator(".sentence-row .edit-here").first.wait_for()
+        page.wait_for_load_state()
         page.locator(".sentence-row .edit-here").first.click()
         page.locator("form.in-place textarea[lang=en]").wait_for()
     first, second = pages
@@ -209,3 +214,14 @@ def test_a_researcher_reads_everything_and_changes_nothing(opened: Callable[...,
             target, headers={"X-CSRFToken": cookie, "Referer": page.url}, form={"draft": "1"}
         )
         assert answer.status == 403, target
+
+
+def test_words_typed_while_the_page_still_loads_are_searched(opened: Callable[..., Page]) -> None:
+    page = opened("author", "en")
+    held: list[Route] = []
+    page.route(re.compile(r"/tree(\.\w+)?\.js$"), lambda route: held.append(route))
+    page.goto("/admin/tree/", wait_until="commit")
+    page.locator("#tree-q").fill("green tea")
+    assert wait_for(lambda: page.wait_for_timeout(50) or held, 15), "The script was not asked for."
+    held[0].continue_()
+    expect(page.locator(".hits a", has_text="GreenTea").first).to_be_visible()
