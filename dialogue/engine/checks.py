@@ -137,9 +137,12 @@ def _check_frame(frame: Frame, types: frozenset[str], cultures: Iterable[str]) -
         yield Finding(
             "D014", frame.key, f"There is no type {frame.type!r}.", "Use q p n w c g t e."
         )
-    for code in LANGUAGES:
-        if not frame.texts.get(code, "").strip():
-            yield Finding("D015", frame.key, f"It says nothing in {code}.", "Write the sentence.")
+    silent = [code for code in LANGUAGES if not frame.texts.get(code, "").strip()]
+    for code in silent:
+        # In that language other sentences are said: a gap. One that nobody can hear is a mistake.
+        mute = len(silent) == len(LANGUAGES)
+        text = f"It says nothing in {code}."
+        yield Finding("D015", frame.key, text, "Write the sentence.", error=mute)
     for culture in frame.only:
         if culture not in cultures:
             yield Finding("D016", frame.key, f"There is no culture {culture!r}.", "Correct it.")
@@ -158,11 +161,19 @@ def _check_activity(frame: Frame) -> Iterator[Finding]:
             yield Finding("D018", frame.key, str(error), "E.g. playsong title=$hasName.")
 
 
+def _check_pool_speaks(name: str, frames: tuple[Frame, ...]) -> Iterator[Finding]:
+    if not frames:
+        yield Finding("D019", name, "This pool is empty.", "Write at least one sentence.")
+    for code in LANGUAGES if frames else ():
+        if not any(frame.texts.get(code, "").strip() for frame in frames):
+            text = f"This pool has no sentence in {code}."
+            yield Finding("D019", name, text, "Write at least one sentence.")
+
+
 def _check_pools(knowledge: Knowledge) -> Iterator[Finding]:
     cultures = {culture.code for culture in knowledge.cultures}
     for name in POOLS:
-        if not knowledge.pools.get(name):
-            yield Finding("D019", name, "This pool is empty.", "Write at least one sentence.")
+        yield from _check_pool_speaks(name, knowledge.pools.get(name, ()))
     for name, frames in knowledge.pools.items():
         if name not in POOLS:
             yield Finding("D020", name, "There is no such pool.", f"Use {', '.join(POOLS)}.")

@@ -26,7 +26,7 @@ def compile_line(frame: Frame, owner: int) -> Line:
             {
                 code: compile_template(text, code)
                 for code, text in frame.texts.items()
-                if text and code in LANGUAGES
+                if text.strip() and code in LANGUAGES
             }
         ),
         proposal=parse_proposal(frame.do) if frame.do else None,

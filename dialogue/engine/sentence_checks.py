@@ -36,7 +36,7 @@ def _all_frames(knowledge: Knowledge) -> Iterator[Frame]:
 
 
 def _check_template(frame: Frame) -> Iterator[Finding]:
-    for code in [code for code in LANGUAGES if code in frame.texts]:
+    for code in [code for code in LANGUAGES if frame.texts.get(code, "").strip()]:
         try:
             compile_template(frame.texts[code], code)
         except TemplateError as error:

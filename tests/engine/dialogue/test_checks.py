@@ -21,9 +21,13 @@ def tea(**fields: object) -> list[tuple[str, str]]:
     return found(changed("Tea", **fields))
 
 
-def tea_says(**fields: object) -> list[tuple[str, str]]:
+def with_tea_saying(**fields: object) -> Knowledge:
     frame = {"key": "Tea.x1", "type": "c", "texts": EVERYWHERE, **fields}
-    return tea(frames=(msgspec.convert(frame, Frame),))
+    return changed("Tea", frames=(msgspec.convert(frame, Frame),))
+
+
+def tea_says(**fields: object) -> list[tuple[str, str]]:
+    return found(with_tea_saying(**fields))
 
 
 def pool(name: str, **texts: str) -> list[tuple[str, str]]:
@@ -106,6 +110,14 @@ def test_d015_a_missing_sentence(text):
     texts = {"en": "Tea!", "it": "Tè!", "ja": text}
     some = {code: one for code, one in texts.items() if one is not None}
     assert tea_says(texts=some) == [("D015", "Tea.x1")]
+    (gap,) = check_knowledge(with_tea_saying(texts=some))
+    assert not gap.error
+    assert "ja" in gap.message
+
+
+def test_d015_a_sentence_that_nobody_hears_is_an_error():
+    mute = check_knowledge(with_tea_saying(texts={"en": " "}))
+    assert [(one.code, one.error) for one in mute] == [("D015", True)] * 3
 
 
 def test_d016_a_sentence_for_an_unknown_culture():
@@ -125,6 +137,10 @@ def test_d018_an_activity_that_cannot_be_read(do):
 def test_d019_an_empty_pool():
     empty = msgspec.structs.replace(KNOWLEDGE, pools={**KNOWLEDGE.pools, "end": ()})
     assert found(empty) == [("D019", "end")]
+
+
+def test_d019_a_pool_without_a_word_in_one_language():
+    assert pool("end", ja="") == [("D019", "end"), ("D015", "end.1")]
 
 
 def test_d020_an_unknown_pool():
