@@ -22,6 +22,7 @@ from dialogue.publishing import NothingPublishedError, current
 from dialogue.turns import first_turn, read_state, take_turn_without_asking, write_state
 from languages.known import LANGUAGES
 from plans.choices import UnknownChoiceError
+from plans.timing import DECODE, ENCODE, HEADER, header, lap, timed
 
 Json = dict[str, Any]
 METHODS = ("GET", "PUT", "POST")
@@ -33,14 +34,22 @@ NOT_OURS = {"conversation_history": [], "ongoing_conversation": True, "formal_la
 
 @csrf_exempt
 def hub(request: HttpRequest, language: str = "") -> HttpResponse:
-    """Answer a start or a turn of an existing client."""
+    """Answer a start or a turn of an existing client, and say how long it took."""
+    with timed() as laps:
+        response = _hub(request, language)
+    response.headers[HEADER] = header(laps)
+    return response
+
+
+def _hub(request: HttpRequest, language: str) -> HttpResponse:
     if request.method not in METHODS:
         refused = _answer(error_json(ApiError("method.not_allowed")), status=405)
         refused.headers["Allow"] = ", ".join(METHODS)
         return refused
     try:
-        body, encoding = inflated(read_bytes(request, request))
-        message = parse_json(body)
+        with lap(DECODE):
+            body, encoding = inflated(read_bytes(request, request))
+            message = parse_json(body)
     except ApiError as error:
         return _answer(error_json(error), status=error.status)
     if _is_start(request, message):
@@ -49,12 +58,10 @@ def hub(request: HttpRequest, language: str = "") -> HttpResponse:
 
 
 def _answer(data: Json, encoding: str = "", status: int = 200) -> HttpResponse:
-    content = msgspec.json.encode(data)
-    response = HttpResponse(
-        deflated(content, encoding) if encoding else content,
-        content_type="application/json",
-        status=status,
-    )
+    with lap(ENCODE):
+        content = msgspec.json.encode(data)
+        content = deflated(content, encoding) if encoding else content
+    response = HttpResponse(content, content_type="application/json", status=status)
     if encoding:
         response.headers["Content-Encoding"] = encoding
     return response

@@ -6,7 +6,6 @@ from rest_framework import serializers
 from rest_framework.decorators import action
 from rest_framework.request import Request
 from rest_framework.response import Response
-from rest_framework.viewsets import ViewSet
 
 from cair_site.errors import ApiError
 from cair_site.services import Services
@@ -21,6 +20,7 @@ from dialogue.publishing import current
 from dialogue.turns import MOST_SEED, first_turn, write_state
 from languages.known import LANGUAGES
 from plans.api import Json
+from plans.timed_views import TimedViewSet
 
 
 class StartSerializer(serializers.Serializer):
@@ -69,7 +69,7 @@ def _seed(text: str) -> int:
     return int(text)
 
 
-class HubViewSet(ViewSet):
+class HubViewSet(TimedViewSet):
     """The Hub: start a talk, take turns."""
 
     services = Services()

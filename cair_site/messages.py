@@ -13,6 +13,7 @@ from rest_framework.renderers import BaseRenderer
 from rest_framework.request import Request
 
 from cair_site.errors import ApiError
+from plans.timing import DECODE, lap
 
 DEFLATE, GZIP = "deflate", "gzip"
 MOST_DIGITS = 12  # of a Content-Length
@@ -41,9 +42,10 @@ class BodyParser(BaseParser):
     ) -> Any:
         """Return the JSON object of the body; ApiError where it is none or too large."""
         request = (parser_context or {})["request"]
-        body, encoding = inflated(read_bytes(request, stream))
-        request._request.cair_encoding = encoding
-        return parse_json(body)
+        with lap(DECODE):
+            body, encoding = inflated(read_bytes(request, stream))
+            request._request.cair_encoding = encoding
+            return parse_json(body)
 
 
 def read_bytes(request: Any, stream: Readable) -> bytes:

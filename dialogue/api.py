@@ -9,7 +9,6 @@ from rest_framework import serializers
 from rest_framework.decorators import action
 from rest_framework.request import Request
 from rest_framework.response import Response
-from rest_framework.viewsets import ViewSet
 
 from dialogue.engine.content import Content
 from dialogue.engine.manager import Reply, reply
@@ -27,6 +26,8 @@ from dialogue.turns import (
 )
 from plans.api import ActionSerializer, Json, QuestionSerializer, actions_json
 from plans.engine.manager import Action, PlanAnswer, Question
+from plans.timed_views import TimedViewSet
+from plans.timing import DIALOGUE, lap
 
 EMPTY = PlanAnswer()
 LONGEST_QUESTION = 400  # characters
@@ -170,7 +171,8 @@ def answer_dialogue(content: Content, asked: DialogueRequest, state: DialogueSta
         intent=asked.intent, kbplan_actions=actions, question=_question(asked.question)
     )
     heard = heard_with(content, sentence_of(asked), understood, asked.capabilities)
-    said = reply(content, state, heard)
+    with lap(DIALOGUE):
+        said = reply(content, state, heard)
     return reply_json(said, said.plan or EMPTY)
 
 
@@ -180,7 +182,7 @@ def _question(asked: QuestionMessage | None) -> Question | None:
     return Question(asked.intent, asked.slot, asked.parameters, asked.text[:LONGEST_QUESTION])
 
 
-class DialogueViewSet(ViewSet):
+class DialogueViewSet(TimedViewSet):
     """The Dialogue Manager: what the agent says next."""
 
     @extend_schema(request=DialogueSerializer, responses=ReplySerializer)

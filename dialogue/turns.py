@@ -15,6 +15,7 @@ from languages.known import LANGUAGES
 from plans.choices import UnknownChoiceError as UnknownChoiceError
 from plans.choices import language_code
 from plans.engine.manager import PlanAnswer, Question, answer
+from plans.timing import DECODE, DIALOGUE, ENCODE, MATCH, lap
 
 NO_PLAN = PlanAnswer()
 URGENT = 100  # the priority of intents by which people ask for help
@@ -46,7 +47,8 @@ def state_keys() -> list[bytes]:
 
 def read_state(text: str) -> DialogueState:
     """Return a client's state. Raises StateError."""
-    state = decode(text, state_keys(), longest=settings.CAIR_LONGEST_STATE)
+    with lap(DECODE):
+        state = decode(text, state_keys(), longest=settings.CAIR_LONGEST_STATE)
     if state.language not in LANGUAGES:
         raise UnknownChoiceError("language", state.language, LANGUAGES)
     return state
@@ -54,7 +56,8 @@ def read_state(text: str) -> DialogueState:
 
 def write_state(state: DialogueState) -> str:
     """Return the text a client keeps."""
-    return encode(state, state_keys())
+    with lap(ENCODE):
+        return encode(state, state_keys())
 
 
 def first_turn(content: Content, language: str, culture: str, seed: int = 0) -> Reply:
@@ -90,7 +93,8 @@ def take_turn(
     """Return what the agent answers: first the Plan Manager, then the Dialogue Manager."""
     understood = understand(content, state, sentence, capabilities)
     heard = heard_with(content, sentence, understood, capabilities, explain=explain)
-    return TurnAnswer(understood, reply(content, state, heard))
+    with lap(DIALOGUE):
+        return TurnAnswer(understood, reply(content, state, heard))
 
 
 def take_turn_without_asking(content: Content, state: DialogueState, sentence: str) -> TurnAnswer:
@@ -99,21 +103,23 @@ def take_turn_without_asking(content: Content, state: DialogueState, sentence: s
     heard = heard_with(content, sentence, understood, None)
     if heard.asking and heard.asking.pending.slot:
         heard = replace(heard, asking=None)
-    return TurnAnswer(understood, reply(content, state, heard))
+    with lap(DIALOGUE):
+        return TurnAnswer(understood, reply(content, state, heard))
 
 
 def understand(
     content: Content, state: DialogueState, sentence: str, capabilities: Collection[str] | None
 ) -> PlanAnswer:
     """Return what the Plan Manager makes of a sentence."""
-    return answer(
-        content.catalogue,
-        sentence,
-        state.language,
-        culture=state.culture,
-        chance=chance_for(state.seed, state.turn),
-        capabilities=capabilities,
-    )
+    with lap(MATCH):
+        return answer(
+            content.catalogue,
+            sentence,
+            state.language,
+            culture=state.culture,
+            chance=chance_for(state.seed, state.turn),
+            capabilities=capabilities,
+        )
 
 
 def heard_with(

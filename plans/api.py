@@ -18,6 +18,8 @@ from plans.engine.kb_actions import KB_ACTIONS
 from plans.engine.manager import Action, PlanAnswer, Question, answer
 from plans.engine.plan_text import print_plan
 from plans.serving import current
+from plans.timed_views import TimedViewSet
+from plans.timing import MATCH, lap
 
 Json = dict[str, object]
 
@@ -98,21 +100,22 @@ def _question_json(question: Question | None) -> Json | None:
     }
 
 
-class PlanViewSet(ViewSet):
+class PlanViewSet(TimedViewSet):
     """The Plan Manager: a sentence in; a plan, a KBplan and a plan sentence out."""
 
     @extend_schema(request=PlanRequestSerializer, responses=PlanAnswerSerializer)
     def create(self, request: Request) -> Response:
         """Return the plan a sentence asks for; everything is empty when nothing matches."""
         asked = msgspec.convert(request.data, PlanRequest)
-        plan = answer(
-            current(),
-            asked.client_sentence[: settings.CAIR_LONGEST_SENTENCE],
-            language_code(asked.language or settings.CAIR_LANGUAGE),
-            culture=asked.culture.strip().upper(),
-            chance=Random(),
-            capabilities=asked.capabilities,
-        )
+        with lap(MATCH):
+            plan = answer(
+                current(),
+                asked.client_sentence[: settings.CAIR_LONGEST_SENTENCE],
+                language_code(asked.language or settings.CAIR_LANGUAGE),
+                culture=asked.culture.strip().upper(),
+                chance=Random(),
+                capabilities=asked.capabilities,
+            )
         return Response(plan_json(plan))
 
 
