@@ -83,6 +83,7 @@ class _Parts:
         self.keywords: dict[int, dict[str, tuple[tuple[str, ...], tuple[str, ...]]]]
         self.keywords = defaultdict(dict)
         self.likeliness: dict[int, dict[str, float]] = defaultdict(dict)
+        self.individuals: dict[int, dict[str, str]] = defaultdict(dict)
         if numbers is None:
             self._read_what_leads_here(codes)
 
@@ -91,10 +92,12 @@ class _Parts:
         for topic, language, first, second in sets:
             self.keywords[topic][language] = (_words(first), _words(second))
         instances = models.TopicInstance.objects.order_by("culture__position")
-        for topic, culture, likeliness in instances.values_list(
-            "topic_id", "culture_id", "likeliness"
+        for topic, culture, likeliness, name in instances.values_list(
+            "topic_id", "culture_id", "likeliness", "name"
         ):
             self.likeliness[topic][codes[culture]] = float(likeliness)
+            if name:
+                self.individuals[topic][codes[culture]] = name
 
 
 def _of(
@@ -134,6 +137,7 @@ def _topic(
         # A culture without an individual of its own, e.g. a new one, starts with what is usual.
         likeliness=concepts.usual_likeliness(home, tuple(codes.values()))
         | parts.likeliness[number],
+        individuals=dict(parts.individuals[number]),
         see=tuple(parts.see[number]),
         note=row.note,
         frames=tuple(frames[number]),

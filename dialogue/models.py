@@ -230,6 +230,13 @@ class TopicInstance(models.Model):
             "How probable it is that a person of this culture likes it, 0 to 1. Example: 0.7"
         ),
     )
+    name = models.CharField(
+        _("name in the ontology"),
+        max_length=100,
+        blank=True,
+        validators=[validators.individual_name],
+        help_text=_("Empty for the usual one, made of culture and topic. Example: EN_TEA"),
+    )
     history = Recorded("topic.key", subject="topic_id", part="culture.code")
 
     class Meta:

@@ -26,6 +26,10 @@ SCOPE_CHOICES = [
 one_name = RegexValidator(
     r"\A[A-Za-z][A-Za-z0-9]{0,99}\Z", _("Write one word of letters and digits, e.g. GreenTea.")
 )
+individual_name = RegexValidator(
+    r"\A[A-Za-z][A-Za-z0-9_.-]{0,99}\Z",
+    _("Write letters, digits and _ . - beginning with a letter, e.g. EN_TEA."),
+)
 culture_code = RegexValidator(r"\A[A-Z]{2,8}\Z", _("Write two to eight capitals, e.g. EN."))
 sentence_types = RegexValidator(r"\A[qpnwcgte]*\Z", _("Use the letters of sentence types."))
 variable_name = RegexValidator(r"\A[a-z][a-z_]*\Z", _("Small letters only, e.g. unit."))

@@ -185,7 +185,10 @@ def _write_parts(
         models.TopicInstance,
         (
             models.TopicInstance(
-                topic_id=topic.number, culture_id=cultures[code], likeliness=f"{value:.3f}"
+                topic_id=topic.number,
+                culture_id=cultures[code],
+                likeliness=f"{value:.3f}",
+                name=topic.individuals.get(code, ""),
             )
             for topic in topics
             for code, value in topic.likeliness.items()

@@ -39,6 +39,7 @@ class Topic(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
 
     `is_a` is the parent's key (`Topic` for a branch); `also` are further classes it takes
     sentences from. `likeliness` has one value (0..1) a culture; `keywords` two sets a language.
+    `individuals` names the CS-ABox individual of a culture, where its name is not the usual one.
     """
 
     key: str
@@ -53,6 +54,7 @@ class Topic(msgspec.Struct, frozen=True, kw_only=True, omit_defaults=True):
     names: dict[str, dict[str, str]] = {}
     keywords: dict[str, tuple[tuple[str, ...], tuple[str, ...]]] = {}
     likeliness: dict[str, float] = {}
+    individuals: dict[str, str] = {}
     see: tuple[str, ...] = ()
     note: str = ""
     frames: tuple[Frame, ...] = ()

@@ -22,6 +22,7 @@ TOPIC_KEYS = frozenset(
         "vars",
         "kw",
         "like",
+        "individuals",
         "see",
         "note",
         "s",
@@ -36,6 +37,7 @@ LONGEST_SENTENCE, LONGEST_ACTIVITY, LONGEST_VARIABLE, LONGEST_WORDS = 400, 200, 
 _TOPIC_ID = re.compile(r"[A-Za-z][A-Za-z0-9]{0,99}")
 _FRAME_ID = re.compile(r"[a-z][0-9]{1,4}")
 _VARIABLE = re.compile(r"[a-z][a-z_]{0,39}")
+_INDIVIDUAL = re.compile(r"[A-Za-z][A-Za-z0-9_.-]{0,99}")
 _LIKE = re.compile(r"([A-Z]{2,8})\s+(0?\.\d{1,3}|[01](?:\.0{1,3})?)")
 
 
@@ -86,6 +88,7 @@ def _topic(
         names={c: entries[c].text_entries() for c in LANGUAGES if c in entries},
         keywords=_keywords(entries, problems),
         likeliness=usual_likeliness(of, cultures) | _likeliness(entries, problems, cultures),
+        individuals=_individuals(entries, problems, cultures),
         see=_list(entries, "see"),
         note=_text(entries, "note"),
         frames=_frames(entries, key, places, problems),
@@ -135,6 +138,18 @@ def _keywords(
             problems.add(value.line, f"{text!r} needs two sets, e.g. green / tea|chai.")
         keywords[language] = (_alternatives(first), _alternatives(second))
     return {code: keywords[code] for code in LANGUAGES if code in keywords}
+
+
+def _individuals(
+    entries: Mapping[str, Value], problems: Problems, cultures: tuple[str, ...]
+) -> dict[str, str]:
+    if "individuals" not in entries:
+        return {}
+    names = entries["individuals"].known_entries(frozenset(cultures))
+    for value in names.values():
+        if not _INDIVIDUAL.fullmatch(value.text()):
+            problems.add(value.line, f"{value.text()!r} is no name of an individual, e.g. EN_TEA.")
+    return {code: names[code].text() for code in cultures if code in names}
 
 
 def _alternatives(text: str) -> tuple[str, ...]:

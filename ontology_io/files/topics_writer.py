@@ -103,6 +103,8 @@ def _recognition(topic: Topic, cultures: tuple[str, ...]) -> dict[str, str]:
     ]
     if unusual:
         entries["like"] = " ".join(unusual)
+    if topic.individuals:
+        entries["individuals"] = flow_map(topic.individuals)
     if topic.see:
         entries["see"] = flow_list(topic.see)
     if topic.note:

@@ -68,6 +68,8 @@ def test_a_wrong_shape_is_said_with_its_line(text: str, expected: str) -> None:
         ("like: EN 1.5", "'EN 1.5' must be cultures, each once, with values 0 to 1, e.g. IT .9"),
         ("like: EN -.5", "'EN -.5' must be cultures"),
         ("like: FR .5", "(cultures: EN JP)."),
+        ("individuals: {FR: FR_ROSE}", "'FR' is not known here; use EN, JP"),
+        ("individuals: {EN: 1 rose}", "'1 rose' is no name of an individual, e.g. EN_TEA."),
         ("like: EN .5 EN .7", "each once"),
         ('like: "EN .5, JP .7"', "must be cultures"),
         ("like: EN", "must be cultures"),

@@ -196,3 +196,12 @@ def test_lent_sentences_are_kept_in_order(small_draft: Folder, small_folder: Pat
     assert "also: [Tea, Drink]" in without_numbers(read_base())["flower.yaml"]
     load(small_folder, flower=FLOWER)
     assert topics()["Flower"].also == ()
+
+
+def test_an_individual_may_have_a_name_of_its_own(small_draft: Folder, small_folder: Path) -> None:
+    assert topics()["Milk"].individuals == {}
+    named = DRINK.replace("- {id: Milk, ", "- {id: Milk, individuals: {JP: JP_MORNINGMILK}, ", 1)
+    assert named != DRINK
+    load(small_folder, drink=named)
+    assert topics()["Milk"].individuals == {"JP": "JP_MORNINGMILK"}
+    assert "individuals: {JP: JP_MORNINGMILK}" in without_numbers(read_base())["drink.yaml"]
