@@ -50,13 +50,13 @@ def digest_of(key: str) -> str:
     return hashlib.sha256(key.encode("utf-8", "surrogatepass")).hexdigest()
 
 
-def make_key(label: str, rate: int | None, author: Any) -> tuple[ApiKey, str]:
+def make_key(label: str, rate: int | None, author: Any, ontology: str = "") -> tuple[ApiKey, str]:
     """Make a key; return its row and the key itself, which is kept nowhere.
 
-    Raises ValidationError where the label or the rate is wrong.
+    Raises ValidationError where the label, the rate or what it may do is wrong.
     """
     key = BEGIN + secrets.token_urlsafe(32)
-    row = ApiKey(label=label, rate=rate, created_by=author)
+    row = ApiKey(label=label, rate=rate, created_by=author, ontology=ontology)
     row.prefix, row.digest = key[:PREFIX_LENGTH], digest_of(key)
     row.full_clean()
     row.save()
@@ -77,6 +77,7 @@ class Known:
     number: int
     digest: str
     rate: int | None
+    ontology: str = ""
 
 
 @dataclass(slots=True)
@@ -96,7 +97,7 @@ class Ring:
     buckets: dict[int, _Bucket] = field(default_factory=dict)
     lock: threading.Lock = field(default_factory=threading.Lock)
 
-    def let_in(self, key: str) -> None:
+    def let_in(self, key: str) -> Known:
         """Let a call with this key pass. Raises UnknownKeyError or TooOftenError."""
         if self.keys is None:
             self.load()
@@ -108,6 +109,7 @@ class Ring:
         self.used.add(known.number)
         if known.rate is not None:
             self._take(known.number, known.rate)
+        return known
 
     def _take(self, number: int, rate: int) -> None:
         with self.lock:
@@ -125,7 +127,7 @@ class Ring:
             rows = list(ApiKey.objects.filter(revoked=None))
         except DatabaseError as error:
             raise KeysUnreadableError from error
-        self.keys = {row.prefix: Known(row.pk, row.digest, row.rate) for row in rows}
+        self.keys = {row.prefix: Known(row.pk, row.digest, row.rate, row.ontology) for row in rows}
 
     def note_use(self) -> None:
         """Write down the day on which keys were used, each at most once an hour."""
@@ -153,14 +155,14 @@ _worker = _Worker()
 _starting = threading.Lock()
 
 
-def let_in(key: str) -> None:
-    """Let a call pass; no query once the keys are loaded.
+def let_in(key: str) -> Known:
+    """Let a call pass and return what its key may do; no query once the keys are loaded.
 
     Raises UnknownKeyError, TooOftenError or KeysUnreadableError.
     """
     if _worker.watcher is None:
         _start()
-    _worker.ring.let_in(key)
+    return _worker.ring.let_in(key)
 
 
 def forget() -> None:

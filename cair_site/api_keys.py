@@ -1,17 +1,25 @@
-"""The door of the API: with CAIR_KEYS_REQUIRED, calls need a key that the admin has made."""
+"""The door of the API: with CAIR_KEYS_REQUIRED, calls need a key that the admin has made.
+
+The ontology needs one always, and one that may have it.
+"""
 
 import re
 from collections.abc import Callable
+from http import HTTPStatus
 
 from django.conf import settings
 from django.http import HttpRequest, HttpResponse, JsonResponse
 
-from authoring.keys import KeysUnreadableError, TooOftenError, UnknownKeyError, let_in
+from authoring.keys import KeysUnreadableError, Known, TooOftenError, UnknownKeyError, let_in
+from authoring.models.api_key import ONTOLOGY, READ, WRITE
 from cair_site.errors import ApiError, error_json
 
 Next = Callable[[HttpRequest], HttpResponse]
 _GUARDED = re.compile(r"/api/v1/|/(?:[a-z]{2}/)?CAIR_hub")
+_ONTOLOGY = re.compile(r"/api/v1/ontology(?:/|$)")
+_READING = frozenset(("GET", "HEAD", "OPTIONS"))
 SCHEME = "api-key"
+KNOWN = "cair.key"
 
 
 class ApiKeys:
@@ -22,15 +30,18 @@ class ApiKeys:
 
     def __call__(self, request: HttpRequest) -> HttpResponse:
         """Answer, or refuse with 401, 403, 429 or 503 in the shape of our errors."""
+        if _ONTOLOGY.match(request.path_info):
+            needed = READ if request.method in _READING else WRITE
+            return _refusal(request, needed) or self.get_response(request)
         if not settings.CAIR_KEYS_REQUIRED or not _GUARDED.match(request.path_info):
             return self.get_response(request)
         return _refusal(request) or self.get_response(request)
 
 
-def _refusal(request: HttpRequest) -> HttpResponse | None:
-    """Return why a call is not let in; None where it is."""
+def _refusal(request: HttpRequest, needed: str = "") -> HttpResponse | None:
+    """Return why a call is not let in; None where it is. `needed` is a row of ONTOLOGY."""
     try:
-        let_in(_key(request))
+        request.META[KNOWN] = _let_in(request, needed)
     except TooOftenError as error:
         return _refused(ApiError("key.too_often"), {"Retry-After": str(error.seconds)})
     except UnknownKeyError:
@@ -38,8 +49,26 @@ def _refusal(request: HttpRequest) -> HttpResponse | None:
     except KeysUnreadableError:
         return _refused(ApiError("key.unchecked"))
     except ApiError as error:
-        return _refused(error, {"WWW-Authenticate": "Api-Key"})
+        headers = {"WWW-Authenticate": "Api-Key"} if error.status == HTTPStatus.UNAUTHORIZED else {}
+        return _refused(error, headers)
     return None
+
+
+def _let_in(request: HttpRequest, needed: str) -> Known:
+    known = let_in(_key(request))
+    if _rank(known.ontology) < _rank(needed):
+        raise ApiError("key.not_enough")
+    return known
+
+
+def key_of(request: HttpRequest) -> Known:
+    """Return the key that let a call in. Raises KeyError where none was asked for."""
+    known: Known = request.META[KNOWN]
+    return known
+
+
+def _rank(ontology: str) -> int:
+    return list(ONTOLOGY).index(ontology)
 
 
 def _key(request: HttpRequest) -> str:

@@ -1,6 +1,7 @@
 """Settings from the environment: a wrong value stops the start and says its name."""
 
 import os
+import re
 import secrets
 import tempfile
 from collections.abc import Sequence
@@ -8,6 +9,16 @@ from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 from django.core.exceptions import ImproperlyConfigured
+
+_IRI = re.compile(
+    r"[A-Za-z][A-Za-z0-9+.-]*:(?:[A-Za-z0-9._~:/?@!$&'()*+,;=-]|%[0-9A-Fa-f]{2}){1,200}"
+)
+_TAKEN_IRIS = (
+    "urn:cair:vocab",
+    "http://www.w3.org/",
+    "http://caressesrobot.org/ontology",
+    "http://www.lesfleursdunormal.fr/",
+)
 
 
 def text(name: str, default: str = "") -> str:
@@ -48,6 +59,21 @@ def choice(name: str, known: Sequence[str]) -> str:
 def words(name: str, default: str = "") -> list[str]:
     """Return a comma-separated list."""
     return [word.strip() for word in text(name, default).split(",") if word.strip()]
+
+
+def ontology_iri(name: str, default: str) -> str:
+    """Return an absolute IRI that names an ontology: its contents are this IRI, # and a name."""
+    value = text(name, default)
+    parts = urlsplit(value)
+    whole = _IRI.fullmatch(value) and (parts.netloc or parts.scheme not in {"http", "https"})
+    if not whole or value.endswith(("/", ":")):
+        raise ImproperlyConfigured(
+            f"{name} is {value!r}; give an absolute IRI without # and without / at its end, "
+            "e.g. https://cair.example/kb or urn:example:kb."
+        )
+    if value.startswith(_TAKEN_IRIS):
+        raise ImproperlyConfigured(f"{name} is {value!r}, which names a vocabulary; give your own.")
+    return value
 
 
 def secret(name: str, var: Path) -> str:

@@ -70,10 +70,27 @@ ERRORS: dict[str, Kind] = {
     "key.unknown": Kind(
         403, "There is no such key, or it was revoked.", "Ask whoever runs this server for one."
     ),
+    "key.not_enough": Kind(
+        403, "This key may not do that.", "Ask whoever runs this server for one that may."
+    ),
     "key.too_often": Kind(
         429, "This key is used too often.", "Wait as many seconds as Retry-After says."
     ),
     "key.unchecked": Kind(503, "Keys cannot be checked just now.", "Ask again in a moment."),
+    "release.unknown": Kind(404, "There is no such release.", "Leave it out to get the draft."),
+    "release.damaged": Kind(500, "The release is damaged.", "Choose another release."),
+    "ontology.no_file": Kind(
+        400,
+        "The body is no file.",
+        "Send the OWL file itself, with Content-Type: application/rdf+xml.",
+    ),
+    "ontology.damaged": Kind(
+        400, "The gzip file is damaged or becomes too large.", "Compress it again."
+    ),
+    "ontology.busy": Kind(
+        409, "Somebody is bringing in an ontology.", "Wait until that import has ended."
+    ),
+    "ontology.unknown_import": Kind(404, "There is no such import.", "Send the file again."),
     "not_found": Kind(404, "There is nothing at this address.", "See /api/docs/."),
     "method.not_allowed": Kind(405, "This address does not know that method.", "See /api/docs/."),
     "request.refused": Kind(400, "The request was refused.", "See /api/docs/."),

@@ -112,8 +112,10 @@ SECURE_PROXY_SSL_HEADER = ("HTTP_X_FORWARDED_PROTO", "https") if CAIR_HTTPS else
 # What the service accepts and how it talks.
 CAIR_LANGUAGE = environment.text("CAIR_LANGUAGE", "en")
 CAIR_CULTURE = environment.text("CAIR_CULTURE", "EN")
+CAIR_ONTOLOGY_IRI = environment.ontology_iri("CAIR_ONTOLOGY_IRI", "urn:cair:kb")
 CAIR_LONGEST_BODY = environment.number("CAIR_LONGEST_BODY", 200_000, least=1000)
 CAIR_LONGEST_INFLATED = environment.number("CAIR_LONGEST_INFLATED", 400_000, least=1000)
+CAIR_LONGEST_ONTOLOGY = environment.number("CAIR_LONGEST_ONTOLOGY", 64_000_000, least=1000)
 CAIR_LONGEST_SENTENCE = environment.number("CAIR_LONGEST_SENTENCE", 1000, least=10, most=100_000)
 CAIR_LONGEST_STATE = environment.number("CAIR_LONGEST_STATE", 64_000, least=1000)
 CAIR_DEEPEST_JSON = environment.number("CAIR_DEEPEST_JSON", 20, least=3, most=500)
@@ -122,6 +124,8 @@ CAIR_PLAN_MANAGER_URL = environment.text("CAIR_PLAN_MANAGER_URL")
 CAIR_DIALOGUE_MANAGER_URL = environment.text("CAIR_DIALOGUE_MANAGER_URL")
 CAIR_SERVICE_SECONDS = environment.number("CAIR_SERVICE_SECONDS", 3, least=1, most=60)
 CAIR_KEYS_REQUIRED = environment.flag("CAIR_KEYS_REQUIRED")
+# Long uploads wait here, not where other users of the machine see them.
+FILE_UPLOAD_TEMP_DIR = str(VAR) if VAR.is_dir() else None
 DATA_UPLOAD_MAX_MEMORY_SIZE = 5_000_000
 DATA_UPLOAD_MAX_NUMBER_FIELDS = 5_000  # an intent with many sentences
 

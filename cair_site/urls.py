@@ -7,6 +7,8 @@ from rest_framework.routers import SimpleRouter
 
 from cair_site import compat, operations, pages
 from cair_site.hub import HubViewSet
+from cair_site.ontology_api import OntologyViewSet
+from cair_site.person_api import PersonView
 from dialogue.api import DialogueViewSet
 from dialogue.topics_api import TopicViewSet
 from plans.api import ActionViewSet, IntentViewSet, PlanViewSet
@@ -18,11 +20,13 @@ router.register("dialogue", DialogueViewSet, basename="dialogue")
 router.register("topics", TopicViewSet, basename="topics")
 router.register("intents", IntentViewSet, basename="intents")
 router.register("actions", ActionViewSet, basename="actions")
+router.register("ontology", OntologyViewSet, basename="ontology")
 
 urlpatterns = [
     path("", pages.chat, name="chat"),
     path("admin/language/", set_language, name="set_language"),
     path("admin/", admin.site.urls),
+    path("api/v1/dialogue/person/", PersonView.as_view(), name="dialogue-person"),
     path("api/v1/", include(router.urls)),
     path("api/schema/", pages.schema, name="schema"),
     path("api/docs/", pages.docs, name="docs"),

@@ -8,7 +8,7 @@ from authoring.models.api_key import ApiKey
 
 @admin.register(ApiKey)
 class ApiKeyAdmin(admin.ModelAdmin):
-    list_display = ("label", "prefix", "created", "created_by", "last_used", "revoked")
+    list_display = ("label", "prefix", "ontology", "created", "created_by", "last_used", "revoked")
     list_select_related = ("created_by",)
     search_fields = ("label", "prefix")
     readonly_fields = ("prefix", "created", "created_by", "last_used", "revoked")

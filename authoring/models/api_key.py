@@ -8,6 +8,13 @@ from django.utils.translation import gettext_lazy as _
 from dialogue.validators import no_control
 
 MOST_A_MINUTE = 100_000
+READ, WRITE = "read", "write"
+#: What a key may do with the ontology, the least first.
+ONTOLOGY = {
+    "": _("no access"),
+    READ: _("take it out"),
+    WRITE: _("take it out and bring it in"),
+}
 
 
 class ApiKey(models.Model):
@@ -33,6 +40,17 @@ class ApiKey(models.Model):
         blank=True,
         validators=[MinValueValidator(1), MaxValueValidator(MOST_A_MINUTE)],
         help_text=_("For each worker of the server; empty for no limit. Example: 60"),
+    )
+    ontology = models.CharField(
+        _("ontology"),
+        max_length=5,
+        blank=True,
+        default="",
+        choices=list(ONTOLOGY.items()),
+        help_text=_(
+            "For programs of researchers. Bringing in can rewrite the whole draft; robots need "
+            "none of this."
+        ),
     )
 
     class Meta:

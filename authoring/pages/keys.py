@@ -8,7 +8,7 @@ from django.utils.translation import gettext as _
 from django.views.decorators.http import require_http_methods
 
 from authoring.keys import make_key, revoke
-from authoring.models.api_key import ApiKey
+from authoring.models.api_key import ONTOLOGY, ApiKey
 from authoring.site_context import page_context
 
 MOST_SHOWN = 500
@@ -29,6 +29,7 @@ def _page(request: HttpRequest, status: int = 200, **more: object) -> HttpRespon
     context = {
         **page_context(request),
         "title": _("API keys"),
+        "choices": ONTOLOGY.items(),
         "keys": rows,
         "may_make": request.user.has_perm("authoring.add_apikey"),
         "may_revoke": request.user.has_perm("authoring.change_apikey"),
@@ -41,11 +42,12 @@ def _made(request: HttpRequest) -> HttpResponse:
     if not request.user.has_perm("authoring.add_apikey"):
         raise PermissionDenied
     label, rate = request.POST.get("label", "").strip(), request.POST.get("rate", "").strip()
+    chosen = request.POST.get("ontology", "")[:20]
     try:
-        row, key = make_key(label, _rate(rate), request.user)
+        row, key = make_key(label, _rate(rate), request.user, chosen)
     except ValidationError as error:
-        found = error.message_dict
-        return _page(request, status=400, faults=found, label=label[:200], rate=rate[:20])
+        given = {"label": label[:200], "rate": rate[:20], "chosen": chosen}
+        return _page(request, status=400, faults=error.message_dict, **given)
     response = _page(request, new=row, new_key=key)
     response.headers["Cache-Control"] = "no-store"
     return response

@@ -7,6 +7,7 @@ from authoring.pages.chats import CHAT_PAGES
 from authoring.pages.checks_pages import CHECK_PAGES
 from authoring.pages.coverage import COVERAGE_PAGE
 from authoring.pages.keys import keys
+from authoring.pages.ontology_import import ONTOLOGY_PAGES
 from authoring.pages.page import Page
 from authoring.pages.sheets import SHEET_PAGES
 from authoring.pages.topics import TOPIC_PAGES
@@ -26,5 +27,6 @@ PAGES: tuple[Page, ...] = (
     *CHECK_PAGES,
     *TREE_PAGES,
     *SHEET_PAGES,
+    *ONTOLOGY_PAGES,
     COVERAGE_PAGE,
 )

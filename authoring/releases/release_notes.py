@@ -181,7 +181,7 @@ def _name(
 
 
 def _forms(texts: Mapping[str, str]) -> str:
-    return ", ".join(f"{name}: {text}" for name, text in texts.items() if name != "name")
+    return ", ".join(f"{name}: {text}" for name, text in sorted(texts.items()) if name != "name")
 
 
 def _keywords(words: tuple[tuple[str, ...], tuple[str, ...]]) -> str:

@@ -1,6 +1,10 @@
 """What the API says about itself: the OpenAPI schema and its page."""
 
+from io import StringIO
+from pathlib import Path
+
 import yaml
+from django.core.management import call_command
 
 from tests.api.conftest import Api
 
@@ -33,3 +37,12 @@ def test_the_documentation_is_a_page(api: Api) -> None:
     assert answer.status_code == 200
     assert answer.headers["Content-Type"].startswith("text/html")
     assert "http" not in answer.headers["Content-Security-Policy"]
+
+
+def test_the_schema_in_the_repository_is_that_of_the_server() -> None:
+    now = StringIO()
+    call_command("spectacular", stdout=now)
+    kept = Path(__file__).resolve().parents[2] / "docs/openapi.yaml"
+    assert kept.read_text(encoding="utf-8") == now.getvalue().rstrip("\n") + "\n", (
+        "Run `make openapi` and commit docs/openapi.yaml."
+    )

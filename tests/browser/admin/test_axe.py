@@ -55,6 +55,12 @@ NO_PAGES = frozenset(
         "sheet_file",
         "sheet_preview",
         "sheet_save",
+        "ontology_file",
+        "ontology_upload",
+        "ontology_import",
+        "ontology_status",
+        "ontology_apply",
+        "ontology_discard",
     ]
 )
 MORE = ("/admin/tree/?open=GreenTea&q=tea", "/admin/plans/intent/1/delete/")
