@@ -1,5 +1,6 @@
 """Japanese as the service knows it."""
 
+import re
 from collections.abc import Mapping
 
 from languages import japanese_names, japanese_words
@@ -11,6 +12,11 @@ from languages.japanese_answers import (
 )
 from languages.language import Attitude, NameForms, Token
 from languages.tokens import CHARACTERS, as_hiragana, find_tokens
+
+_SEEN = re.compile(
+    r"(?:(?:へえ|へぇ|ふうん|ふーん|ああ|あら|まあ|はい|ええ)[、。…\s]*)?"
+    r"(?:そう|そうなの|そうなん|さよう)(?:です|でした|でしょう|だったんです)か[。.、…\s]*"
+)
 
 
 class Japanese:
@@ -46,7 +52,9 @@ class Japanese:
         return japanese_words.their_words(words)
 
     def asks(self, sentence: str) -> bool:
-        """Say whether the sentence is a question."""
+        """Say whether the sentence is a question; 「そうですか。」 only shows that one listens."""
+        if _SEEN.fullmatch(sentence.strip()):
+            return False
         return sentence.rstrip(" 。.").endswith(("?", "？", "ですか", "ますか", "でしょうか"))
 
     def listed(self, names: tuple[str, ...]) -> str:

@@ -1,9 +1,12 @@
 """Check a whole knowledge base: what the dialogue and the plan side each find."""
 
+from itertools import count
+
 import msgspec
 
 from dialogue.engine.checks import check_knowledge
 from dialogue.engine.concepts import Knowledge
+from dialogue.engine.content import Content, build_content
 from dialogue.engine.findings import Finding
 from dialogue.engine.library_checks import check_library
 from ontology_io.records import KnowledgeBase
@@ -25,3 +28,17 @@ def _with_numbers(knowledge: Knowledge) -> Knowledge:
         for place, topic in enumerate(knowledge.topics, 1)
     )
     return msgspec.structs.replace(knowledge, topics=topics)
+
+
+def build_base(base: KnowledgeBase) -> Content:
+    """Return the content that a base without errors makes; nothing is written.
+
+    New topics get passing numbers after the last: a dialogue state counts topics from 1.
+    """
+    knowledge = base.knowledge
+    following = count(max((topic.number for topic in knowledge.topics), default=0) + 1)
+    topics = tuple(
+        topic if topic.number else msgspec.structs.replace(topic, number=next(following))
+        for topic in knowledge.topics
+    )
+    return build_content(msgspec.structs.replace(knowledge, topics=topics), base.library)

@@ -7,6 +7,7 @@ from datetime import datetime
 import msgspec
 from msgspec.structs import replace
 
+from authoring.checks.findings_lints import LintRemarks
 from authoring.checks.findings_places import Places
 from authoring.checks.findings_words import language_of
 from authoring.models import CheckRun
@@ -109,7 +110,10 @@ def findings_for(keys: Iterable[str], checked: Checked | None = None) -> dict[st
 def findings(snapshot: Snapshot) -> list[Found]:
     """Return what all checks find in a knowledge base with its intents."""
     places = Places(snapshot)
-    return [*_errors(snapshot, places), *_remarks(snapshot, places)]
+    found = [*_errors(snapshot, places), *_remarks(snapshot, places)]
+    if not any(one.blocks for one in found):
+        found += _lints(snapshot, places)
+    return found
 
 
 def _errors(snapshot: Snapshot, places: Places) -> Iterator[Found]:
@@ -133,6 +137,13 @@ def _remarks(snapshot: Snapshot, places: Places) -> list[Found]:
     ]
 
 
+def _lints(snapshot: Snapshot, places: Places) -> Iterator[Found]:
+    """Yield what falls short of the quality bars, but for K2, which takes longest."""
+    for one in _linted.of(snapshot.knowledge):
+        at = places.of(one.where)
+        yield Found(one.code, one.where, one.message, one.hint, False, one.language, *at)
+
+
 class _LibraryFindings:
     """What was found in the intents last time: they change seldom and take long to try."""
 
@@ -148,6 +159,7 @@ class _LibraryFindings:
 
 
 _kept = _LibraryFindings()
+_linted = LintRemarks()
 
 
 def _tried(library: Library) -> Iterator[Found]:

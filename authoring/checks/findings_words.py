@@ -54,6 +54,22 @@ KINDS: Mapping[str, Promise] = {
     "C013": _("An intent with no answer that can always be said"),
     "C014": _("An action that no intent asks for"),
     "C015": _("An accepted conflict that is gone"),
+    "C1": _("A topic that lacks keywords, likeliness or links"),
+    "C2": _("A topic with too little to say"),
+    "C3": _("A class that lacks sentences of a kind"),
+    "G1": _("A gap that was left over in a sentence"),
+    "G2": _("An Italian article or ending that does not agree"),
+    "G3": _("An English article or verb that does not agree"),
+    "G4": _("Japanese that is impolite, or particles that do not meet"),
+    "G5": _("A sentence that ends wrongly, or asks twice"),
+    "U1": _("Sentences that are too much alike"),
+    "S1": _("A sentence that is hard to say or to follow"),
+    "P1": _("Words that a robot should avoid"),
+    "K1": _("Keywords that lead to several topics, or too easily to one"),
+    "K2": _("A topic that its own name does not find"),
+    "T1": _("A tree that is too flat, too deep or not linked enough"),
+    "L1": _("A culture that comes too short"),
+    "A1": _("An accepted shortcoming that is gone"),
 }
 #: What to do, where the finding itself does not say it.
 HINTS: Mapping[str, Promise] = {

@@ -135,6 +135,12 @@ def enter(turn: Turn, step: Step) -> None:
     turn.note("begin", f"Topic {step.node.key} ({step.way}), ordering {' '.join(ordering)}")
 
 
+def _is_unwelcome(turn: Turn, old: Node) -> bool:
+    """Say whether the old topic is better not named again: refused just now, avoided, or hard."""
+    refused = turn.state.noes or turn.state.avoids((old.number, *old.ancestors))
+    return old.gentle or bool(refused)
+
+
 def announce(turn: Turn, old: Node | None, step: Step) -> None:
     """Say a transition: the topic's own, else one that names both, else a change of subject."""
     if turn.announced:
@@ -144,7 +150,7 @@ def announce(turn: Turn, old: Node | None, step: Step) -> None:
     if old is None:
         say_from_pool(turn, "begin", names)
         return
-    if step.way == "far" or old.gentle or language not in old.names:
+    if step.way == "far" or _is_unwelcome(turn, old) or language not in old.names:
         say_from_pool(turn, "change", names)
         return
     if turn.chance.random() < 0.5 and say_transition(turn, old, step.node):

@@ -222,7 +222,7 @@ def _finish(turn: Turn) -> Reply:
     node = turn.node
     return Reply(
         state=turn.state,
-        sentence=separator.join(turn.parts),
+        sentence=separator.join(filter(None, turn.parts)),
         sentence_type=type_,
         topic=node.key if node else "",
         plan=turn.plan,

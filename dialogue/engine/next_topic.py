@@ -9,7 +9,7 @@ from dialogue.engine.tree import Node
 from dialogue.engine.turn import Turn
 
 MOST_SIBLINGS = 3
-FOLLOW_A_LINK = 0.4
+FOLLOW_A_LINK = 0.45
 LEAST_LIKELINESS = 0.05
 ALREADY_COVERED = 0.2
 DISLIKED = 0.2

@@ -29,7 +29,12 @@ def say_of_type(turn: Turn, node: Node, type_: str) -> bool:
 def say_transition(turn: Turn, old: Node, new: Node) -> bool:
     """Say how one topic leads to the other; False where the old one has no such sentence."""
     language = turn.state.language
-    lines = [line for line in sayable(turn, old, "t") if line.number not in turn.state.frames]
+    used = turn.state.used_slots(old.number)
+    lines = [
+        line
+        for line in sayable(turn, old, "t")
+        if line.number not in turn.state.frames and (line.slot < 0 or not used >> line.slot & 1)
+    ]
     if not lines:
         return False
     names = {"hasName": old.names[language], "toName": new.names[language]}
@@ -148,6 +153,8 @@ def _speak(
     except TemplateError as error:  # Publishing refuses such lines; an old one must not end a talk.
         turn.note("unfilled", f"{line.key}: {error}")
         return False
+    if turn.parts and text.startswith(turn.parts[-1]):
+        turn.parts[-1] = ""  # Not "Take your time. Take your time. I am listening."
     turn.parts.append(text)
     turn.last_line = line
     turn.state = turn.state.with_frame(line.number)

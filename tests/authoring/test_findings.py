@@ -212,3 +212,16 @@ def test_languages_are_named_in_the_language_of_the_page() -> None:
 def test_a_finding_of_an_unknown_kind_is_shown_by_its_code() -> None:
     (group,) = checks.grouped([Found("X999", "Tea", "Strange.")], 10)
     assert (group.kind, group.shown[0].url) == ("X999", "")
+
+
+def test_what_falls_short_of_a_quality_bar_warns_with_its_row(small_draft: Folder) -> None:
+    found = [one for one in check_now().found if one.code == "C3" and one.where == "Drink"]
+    drink = Topic.objects.get(key="Drink").pk
+    assert {(one.row, one.number, one.branch, one.blocks) for one in found} == {
+        ("dialogue.topic", drink, "Drink", False)
+    }
+
+
+def test_with_an_error_only_the_errors_are_told_first(small_draft: Folder) -> None:
+    break_the_draft()
+    assert "C3" not in {one.code for one in check_now().found}

@@ -67,7 +67,10 @@ def test_a_conversation_goes_as_its_file_says(file: Path, shipped: Content) -> N
             state = answer.taken.reply.state
         elif not line.startswith("#"):
             assert answer is not None, f"{file.name}: begin with a user line"
-            assert CHECKS[word](answer, rest), f"{file.name}: {line!r} but: {answer.taken}"
+            if not CHECKS[word](answer, rest):
+                reply = answer.taken.reply
+                said = f"{reply.topic} ({reply.sentence_type}): {answer.text.strip()}"
+                pytest.fail(f"{file.name}: {line!r} but: {said} {answer.taken.plan.plan}")
 
 
 @pytest.mark.parametrize("file", sorted(TRANSCRIPTS.glob("*.txt")), ids=lambda file: file.stem)

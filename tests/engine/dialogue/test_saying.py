@@ -229,6 +229,13 @@ def test_a_transition_that_is_not_there_or_heard_lately_is_not_said(topic, frame
     assert not say_transition(turn, node(topic), node("Festivals"))
 
 
+def test_a_transition_that_was_said_of_this_topic_is_not_said_again():
+    turn = turn_in(mrs_smith("Tea"))
+    assert say_transition(turn, TEA, PIANO)
+    turn.change(frames=())
+    assert not say_transition(turn, TEA, PIANO)
+
+
 def test_a_pool_gives_what_was_not_heard_lately():
     turn = turn_in(mrs_smith(frames=(line("acknowledge.1").number,)))
     assert say_from_pool(turn, "acknowledge")
@@ -265,3 +272,10 @@ def test_numbers_of_sentences_that_are_gone_do_no_harm():
     content = without_topics("Gardening")
     turn = turn_in(mrs_smith("Tea", frames=(999_999,)), content=content)
     assert say_of_type(turn, content.tree.nodes[NUMBERS["Tea"]], "q")
+
+
+def test_words_just_said_are_not_said_again_with_more_behind_them():
+    turn = turn_in(mrs_smith("Tea"))
+    turn.parts.append("Do you")
+    assert say_of_type(turn, TEA, "q")
+    assert turn.parts == ["", "Do you like tea?"]

@@ -1,0 +1,1 @@
+"""The quality bars of content that a machine can check: advice, never a reason not to publish."""
