@@ -68,6 +68,10 @@ bench: .venv/installed ## Figures of docs/figures.md
 bench-matching: .venv/installed-bench ## Figures of docs/matching.md, beside hassil; ARGS=--quick for a short run
 	$(BIN)/python -m benchmarks.matching $(ARGS)
 
+.PHONY: bench-paper
+bench-paper: .venv/installed-bench ## The paper's experiments, beside its design re-created; ARGS=--quick
+	$(BIN)/python -m benchmarks.paper $(ARGS)
+
 .venv/installed-bench: .venv/installed requirements-bench.txt
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check -r requirements-bench.txt
 	@touch $@
