@@ -21,7 +21,8 @@ class Vocabulary:
         self.words = frozenset(words)
         self._folded = {language.fold(word): word for word in sorted(self.words)}
         self._twins = self._told_apart_by_accents()
-        self._deletions: dict[str, tuple[str, ...]] | None = None
+        # Made with the rest, not in the turn that first needs it: that one person would wait.
+        self._deletions = self._without_a_letter()
 
     def known(self, word: str) -> str:
         """Return the word triggers use for this one ("perche" -> "perché"), or the word itself."""
@@ -54,7 +55,7 @@ class Vocabulary:
         """
         if not SHORTEST_SPELT <= len(word) <= LONGEST_SPELT:
             return ()
-        index = self._index()
+        index = self._deletions
         folded = word if word.isascii() else self._language.fold(word)
         near: dict[str, None] = dict.fromkeys(index.get(folded, ()))
         for place in range(len(folded)):
@@ -80,17 +81,15 @@ class Vocabulary:
             ):
                 yield left, right
 
-    def _index(self) -> dict[str, tuple[str, ...]]:
+    def _without_a_letter(self) -> dict[str, tuple[str, ...]]:
         """Return each word and each word without one letter, with the words it comes from."""
-        if self._deletions is None:
-            found: defaultdict[str, set[str]] = defaultdict(set)
-            for folded, word in self._folded.items():
-                if SHORTEST_SPELT <= len(folded) <= LONGEST_SPELT and not folded.isdecimal():
-                    found[folded].add(word)
-                    for place in range(len(folded)):
-                        found[folded[:place] + folded[place + 1 :]].add(word)
-            self._deletions = {key: tuple(sorted(words)) for key, words in found.items()}
-        return self._deletions
+        found: defaultdict[str, set[str]] = defaultdict(set)
+        for folded, word in self._folded.items():
+            if SHORTEST_SPELT <= len(folded) <= LONGEST_SPELT and not folded.isdecimal():
+                found[folded].add(word)
+                for place in range(len(folded)):
+                    found[folded[:place] + folded[place + 1 :]].add(word)
+        return {key: tuple(sorted(words)) for key, words in found.items()}
 
 
 def one_edit_apart(one: str, two: str) -> bool:

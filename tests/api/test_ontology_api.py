@@ -1,63 +1,25 @@
 """The ontology over REST: always with a key, out in pieces, in by an import that runs apart."""
 
 import gzip
-from collections.abc import Iterator
 
 import pytest
 import yaml
-from django.http import HttpResponse
 from django.test import Client
 from pytest_django.fixtures import Settings
 
-from authoring import keys
-from authoring.keys import make_key
 from authoring.ontology import process
 from authoring.roles import ADMINISTRATOR
 from dialogue.models import Sentence, Topic
 from dialogue.publishing import publish
 from ontology_io.models import ImportRun
+from tests.api.ontology_calls import ADDRESS, OWL, alone, draft, reader, send, writer
 from tests.api.test_errors import code_of
 from tests.authoring.conftest import empty_draft, small_draft, small_folder
 from tests.authoring.ontology_pages import OFFERED, SERVED, at_once, body, edited, without_flowers
 from tests.authoring.people import logged_in
 
-__all__ = ["at_once", "empty_draft", "small_draft", "small_folder"]
+__all__ = ["alone", "at_once", "empty_draft", "reader", "small_draft", "small_folder", "writer"]
 pytestmark = pytest.mark.usefixtures("small_draft")
-ADDRESS = "/api/v1/ontology/"
-OWL = "application/rdf+xml"
-
-
-@pytest.fixture(autouse=True)
-def _alone() -> Iterator[None]:
-    keys.forget()
-    yield
-    keys.forget()
-
-
-@pytest.fixture
-def reader() -> dict[str, str]:
-    return headers("read")
-
-
-@pytest.fixture
-def writer() -> dict[str, str]:
-    return headers("write")
-
-
-def headers(ontology: str) -> dict[str, str]:
-    key = make_key("notebook of Rita", None, None, ontology)[1]
-    keys.forget()
-    return {"X-Api-Key": key}
-
-
-def draft(client: Client, key: dict[str, str]) -> bytes:
-    return body(client.get(ADDRESS, headers=key))
-
-
-def send(
-    client: Client, key: dict[str, str], data: bytes, query: str = "", kind: str = OWL
-) -> HttpResponse:
-    return client.post(f"{ADDRESS}{query}", data, content_type=kind, headers=key)
 
 
 def ended(client: Client, key: dict[str, str], data: bytes, query: str = "") -> dict[str, object]:

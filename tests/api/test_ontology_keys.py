@@ -1,9 +1,6 @@
 """The ontology over REST always needs a key, and one that may have it."""
 
-from collections.abc import Iterator
-
 import pytest
-from django.http import HttpResponse
 from django.test import Client
 from pytest_django.fixtures import Settings
 
@@ -11,43 +8,13 @@ from authoring import keys
 from authoring.keys import make_key
 from authoring.roles import ADMINISTRATOR
 from ontology_io.models import ImportRun
+from tests.api.ontology_calls import ADDRESS, OWL, alone, draft, headers, reader, send
 from tests.api.test_errors import code_of
 from tests.authoring.conftest import empty_draft, small_draft, small_folder
-from tests.authoring.ontology_pages import body
 from tests.authoring.people import logged_in
 
-__all__ = ["empty_draft", "small_draft", "small_folder"]
+__all__ = ["alone", "empty_draft", "reader", "small_draft", "small_folder"]
 pytestmark = pytest.mark.usefixtures("small_draft")
-ADDRESS = "/api/v1/ontology/"
-OWL = "application/rdf+xml"
-
-
-@pytest.fixture(autouse=True)
-def _alone() -> Iterator[None]:
-    keys.forget()
-    yield
-    keys.forget()
-
-
-@pytest.fixture
-def reader() -> dict[str, str]:
-    return headers("read")
-
-
-def headers(ontology: str) -> dict[str, str]:
-    key = make_key("notebook of Rita", None, None, ontology)[1]
-    keys.forget()
-    return {"X-Api-Key": key}
-
-
-def draft(client: Client, key: dict[str, str]) -> bytes:
-    return body(client.get(ADDRESS, headers=key))
-
-
-def send(
-    client: Client, key: dict[str, str], data: bytes, query: str = "", kind: str = OWL
-) -> HttpResponse:
-    return client.post(f"{ADDRESS}{query}", data, content_type=kind, headers=key)
 
 
 @pytest.mark.parametrize("required", [True, False])
