@@ -39,6 +39,7 @@ MIDDLEWARE = [
     "cair_site.middleware.SecurityHeaders",
     "cair_site.middleware.ApiSlash",
     "cair_site.api_keys.ApiKeys",
+    "cair_site.api_path.ApiPath",
     "django.middleware.security.SecurityMiddleware",
     "whitenoise.middleware.WhiteNoiseMiddleware",
     "django.contrib.sessions.middleware.SessionMiddleware",
@@ -157,4 +158,6 @@ LOGGING = {
     "formatters": {"plain": {"format": "%(asctime)s %(levelname)s %(name)s: %(message)s"}},
     "handlers": {"console": {"class": "logging.StreamHandler", "formatter": "plain"}},
     "root": {"handlers": ["console"], "level": environment.choice("CAIR_LOG_LEVEL", LOG_LEVELS)},
+    # Who sends nonsense is told so; our log is not theirs to fill.
+    "loggers": {"django.request": {"level": "ERROR"}},
 }

@@ -5,9 +5,10 @@ base64url of: 16 bytes of keyed BLAKE2b over the rest | version | header | body.
 
 import binascii
 from collections.abc import Sequence
-from dataclasses import replace
 from hashlib import blake2b
 from hmac import compare_digest
+
+from msgspec.structs import replace
 
 from dialogue.engine.codec_columns import body, read_body
 from dialogue.engine.codec_header import header, read_header

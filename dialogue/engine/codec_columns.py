@@ -10,9 +10,9 @@ Only covered topics are written: which ones, then their levels, then their masks
 import re
 import zlib
 from collections.abc import Sequence
-from itertools import compress
 from operator import sub
 
+from dialogue.engine.codec_covered import gathered, spread
 from dialogue.engine.codec_wire import Reader, StateError, bits, number, numbers, within
 from dialogue.engine.state import MAX_SLOT, MAX_TOPIC, TOPIC_RING, union
 
@@ -23,11 +23,7 @@ MAX_ROWS = 512  # rows are never tried above: columns cost less time and, soon, 
 
 _NOTHING, _ROWS, _COLUMNS = 0, 1, 2
 _ZERO_OR_ONE = b"0" + b"1" * 255
-_FLAG = b"\0" + b"\1" * 255
 _VALID_LEVELS = bytes(range(MAX_LEVEL + 1))
-# A small window and memory: deflate's own set-up would else cost more than the work.
-_WINDOW, _MEMORY = 9, 6
-
 _COVERED = re.compile(rb"[^\0]")
 _WHOLE, _PARTLY = b"\1", b"\0"
 _ZEROS = ("", *("0" * zeros + "1" for zeros in range(MAX_TOPIC.bit_length() + 1)))
@@ -77,31 +73,6 @@ def _valid(levels: bytes) -> bool:
     return not levels.translate(None, _VALID_LEVELS)
 
 
-def _covered(column: bytes, cover: bytes, count: int) -> bytes:
-    """Return the column's bytes at the covered topics only."""
-    if len(cover) == count:
-        return column[:count].ljust(count, b"\0")
-    squeezed = column.translate(None, b"\0")
-    if len(squeezed) == count:
-        return squeezed
-    return _marked(column, cover)
-
-
-def _marked(column: bytes, cover: bytes) -> bytes:
-    """Return the covered bytes of a column that has covered zeros, at the speed of big integers.
-
-    Covered zeros get a mark that the column does not use, all other zeros are deleted.
-    """
-    mark = next((value for value in range(255, 0, -1) if value not in column), 0)
-    if not mark:
-        return bytes(compress(column.ljust(len(cover), b"\0"), cover))
-    covered = int.from_bytes(cover.translate(_FLAG), "little")
-    zeros = covered & ~int.from_bytes(column.translate(_FLAG), "little")
-    marked = int.from_bytes(column, "little") | zeros * mark
-    squeezed = marked.to_bytes(max(len(cover), len(column)), "little").translate(None, b"\0")
-    return squeezed.translate(bytes(range(mark)) + b"\0" + bytes(range(mark + 1, 256)))
-
-
 def _as_columns(
     cover: bytes, columns: Sequence[bytes], count: int, started: Sequence[int]
 ) -> bytes:
@@ -109,7 +80,7 @@ def _as_columns(
         # Nearly all: one zero more per gap and column is cheaper than skipping the gaps.
         cover, count = b"\1" * len(cover), len(cover)
     # Run-length matches suffice: neighbours in a column have little in common but being equal.
-    packer = zlib.compressobj(9, zlib.DEFLATED, -_WINDOW, _MEMORY, zlib.Z_RLE)
+    packer = zlib.compressobj(9, zlib.DEFLATED, -zlib.MAX_WBITS, zlib.DEF_MEM_LEVEL, zlib.Z_RLE)
     pieces = [
         bytes((_COLUMNS,)),
         _ring(started),
@@ -117,10 +88,10 @@ def _as_columns(
         number(len(cover)),
         packer.compress(bits(cover.translate(_ZERO_OR_ONE).decode("ascii"))),
     ]
-    for column in columns:
+    for column in gathered(columns, cover, count):
         # A new block has a Huffman table of its own, made for this column.
         pieces.append(packer.flush(zlib.Z_BLOCK))
-        pieces.append(packer.compress(_covered(column, cover, count)))
+        pieces.append(packer.compress(column))
     pieces.append(packer.flush())
     return b"".join(pieces)
 
@@ -137,10 +108,7 @@ def _read_columns(reader: Reader, inflated: int) -> list[bytes]:
     columns = [parts.take(count) for _ in range(width)]
     if parts.rest():
         raise StateError("state.damaged")
-    if count == span:
-        return columns
-    spread = presence.encode("ascii").replace(b"0", b"\0").replace(b"1", b"%c")
-    return [spread % tuple(column) for column in columns]
+    return spread(columns, presence, count)
 
 
 def _inflate(data: bytes, largest: int) -> bytes:

@@ -1,6 +1,8 @@
 """The Dialogue Manager: what to say next (paper, Algorithm 1)."""
 
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
+
+from msgspec.structs import replace
 
 from dialogue.engine.actions.table import ACTIONS
 from dialogue.engine.answers import learn, reaction

@@ -1,8 +1,10 @@
 """What an agent remembers of one conversation: an immutable value that travels with the client."""
 
 from collections.abc import Collection
-from dataclasses import dataclass, replace
 from itertools import compress
+
+import msgspec
+from msgspec.structs import replace
 
 RING = 32
 TOPIC_RING = 16
@@ -18,8 +20,7 @@ MAX_VALUE = 300
 _LIKELINESS: tuple[float | None, ...] = (None, *(tenth / 10 for tenth in range(11)))
 
 
-@dataclass(frozen=True, slots=True)
-class Pending:
+class Pending(msgspec.Struct, frozen=True):
     """A parameter the agent asked for: "Which song?" waits for `title` of the intent playsong."""
 
     intent: int
@@ -38,8 +39,7 @@ class Pending:
         return replace(self, slot=_text(self.slot, MAX_SLOT_NAME), parameters=tuple(parameters))
 
 
-@dataclass(frozen=True, slots=True)
-class DialogueState:
+class DialogueState(msgspec.Struct, frozen=True):
     """One person's conversation so far; every `with_…` returns a changed copy.
 
     The columns hold one byte per topic number: `levels` the likeliness the person showed,

@@ -1,9 +1,11 @@
 """A turn in the making: what was heard, the state as it changes, what will be said."""
 
 from collections.abc import Collection, Mapping
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from random import Random
 from types import MappingProxyType
+
+from msgspec.structs import replace
 
 from dialogue.engine.content import Content
 from dialogue.engine.state import DialogueState, Pending
@@ -89,7 +91,7 @@ class Turn:
 
     def change(self, **changes: object) -> None:
         """Replace fields of the state."""
-        self.state = replace(self.state, **changes)  # type: ignore[arg-type]
+        self.state = replace(self.state, **changes)
 
     def note(self, rule: str, text: str, candidates: Collection[tuple[Node, float]] = ()) -> None:
         """Remember a step, where somebody asked for the explanation."""
