@@ -56,6 +56,7 @@ ACCEPTED: tuple[Accepted, ...] = (
         for key in ("GreatGrandchild", "SisterInLaw", "TeaFriend", "FamilyFriend")
     ),
     *(Accepted("K2", key, _MINE, language="ja") for key in _ABOUT_THE_ROBOT),
+    Accepted("K2", "FirstLove", "'love' at the end of a wish is the robot.", language="en"),
     *(
         Accepted("K2", "RobotNature", "Nobody says 'my being a robot' of a robot.", language=code)
         for code in ("en", "it")

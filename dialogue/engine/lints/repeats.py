@@ -9,6 +9,7 @@ from dialogue.engine.tree import Node
 
 MOST_REPEATED, MOST_WITHOUT_GAP = 2.0, 10.0  # percent
 _WORST = 5
+_TELLING = 90.0  # percent of different values
 
 
 def lint_repeats(corpus: Corpus, language: str, filled: tuple[Filled, ...]) -> Iterator[Remark]:
@@ -57,10 +58,25 @@ def _written_twice(corpus: Corpus, language: str) -> Iterator[Remark]:
 
 
 def without_gap(corpus: Corpus, node: Node, language: str) -> tuple[int, int]:
-    """Return how many of a class's sentences name nothing, and how many it has."""
+    """Return how many of a class's sentences name nothing, and how many it has.
+
+    A variable names a topic where nearly every leaf has a value of its own: "in a bookshop".
+    """
     frames = corpus.everyones(node)
     texts = [text for frame in frames if (text := frame.texts.get(language, "").strip())]
-    return sum("$hasName" not in text and "$toName" not in text for text in texts), len(texts)
+    naming = ("$hasName", "$toName", *_telling(corpus, node, language))
+    return sum(not any(name in text for name in naming) for text in texts), len(texts)
+
+
+def _telling(corpus: Corpus, node: Node, language: str) -> list[str]:
+    """Return the variables that tell the leaves of a class apart."""
+    leaves = [leaf.variables.get(language, {}) for leaf in corpus.leaves_of(node)]
+    names = {name for variables in leaves for name in variables}
+    return [
+        f"${name}"
+        for name in sorted(names)
+        if percent(len({one.get(name, "") for one in leaves}), len(leaves)) >= _TELLING
+    ]
 
 
 def too_bare(corpus: Corpus, language: str) -> list[tuple[Node, int, int]]:
