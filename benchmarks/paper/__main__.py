@@ -14,7 +14,7 @@ from benchmarks.paper.jmeter import runner
 from benchmarks.paper.load import allow_many_sockets
 from benchmarks.paper.prepare import fingerprint
 from benchmarks.paper.report import markdown, write_csv
-from benchmarks.paper.systems import System, systems
+from benchmarks.paper.systems import System, old_clients, systems
 
 CACHE = ROOT / "var" / "paper-benchmark"
 
@@ -35,6 +35,8 @@ def measure(system: System, folder: Path, chosen: argparse.Namespace) -> tuple[l
     plan = QUICK if chosen.quick else FULL
     with system.serve(folder) as port:
         rows = list(Experiments(system, port, plan).all())
+        if system.name == "cair":
+            rows.append(Experiments(old_clients(folder), port, plan).largest())
         checked = "" if chosen.quick or chosen.no_jmeter else runner.cross_check(system, port)
     return rows, checked
 

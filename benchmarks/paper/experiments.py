@@ -29,7 +29,7 @@ class Plan(NamedTuple):
     refined: int
 
 
-QUICK = Plan(12, 0.1, 3, 1, 0.3, 1.8, 10.0, 4, 1)
+QUICK = Plan(12, 0.1, 2, 1, 0.3, 1.8, 8.0, 3, 1)
 FULL = Plan(30, 0.5, 30, 5, 1.0, 1.35, 40.0, 6, 1)
 #: The first N of each system: well below what it is expected to stand.
 FIRST = {
@@ -109,6 +109,11 @@ class Experiments:
             yield self._baseline(stage)
         yield from self._grow(BURST, self.plan.bursts)
         yield from self._grow(SPREAD, self.plan.spreads)
+
+    def largest(self) -> Row:
+        """Return the row of the Baseline with the largest state alone."""
+        self.load.run(self.system.requests[-1], spread(20, 2.0))
+        return self._baseline(len(self.system.requests) - 1)
 
     def _baseline(self, stage: int) -> Row:
         """Send requests one after another, never two at once."""

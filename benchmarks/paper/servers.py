@@ -29,7 +29,8 @@ def free_port() -> int:
         return int(one.getsockname()[1])
 
 
-def _environment(**variables: str) -> dict[str, str]:
+def environment(**variables: str) -> dict[str, str]:
+    """Return this process's environment without settings of the site, and these variables."""
     kept = {
         name: value
         for name, value in os.environ.items()
@@ -39,28 +40,29 @@ def _environment(**variables: str) -> dict[str, str]:
 
 
 @contextmanager
-def _process(
-    command: list[str], environment: dict[str, str], log: Path
+def process(
+    command: list[str], variables: dict[str, str], log: Path
 ) -> Iterator[subprocess.Popen[bytes]]:
+    """Run a command in the root of the project and end it, by its own process id."""
     with log.open("wb") as file:
-        process = subprocess.Popen(
-            command, cwd=ROOT, env=environment, stdout=file, stderr=file, stdin=subprocess.DEVNULL
+        one = subprocess.Popen(
+            command, cwd=ROOT, env=variables, stdout=file, stderr=file, stdin=subprocess.DEVNULL
         )
     try:
-        yield process
+        yield one
     finally:
-        process.send_signal(signal.SIGTERM)
+        one.send_signal(signal.SIGTERM)
         try:
-            process.wait(10)
+            one.wait(10)
         except subprocess.TimeoutExpired:
-            process.kill()
-            process.wait(5)
+            one.kill()
+            one.wait(5)
 
 
-def _wait(process: subprocess.Popen[bytes], port: int, path: str, log: Path) -> None:
+def wait(one: subprocess.Popen[bytes], port: int, path: str, log: Path) -> None:
     """Wait until a service answers, be it with an error. Raises RuntimeError where it ends."""
     until = time.monotonic() + 60
-    while time.monotonic() < until and process.poll() is None:
+    while time.monotonic() < until and one.poll() is None:
         try:
             with socket.create_connection((HOST, port), 1):
                 pass
@@ -82,9 +84,8 @@ def cair(prepared: Path) -> Iterator[int]:
         shutil.copytree(prepared / "var", var)
         command = [sys.executable, "-m", "gunicorn", "--config", "cair_site/gunicorn_conf.py"]
         command += ["--bind", f"{HOST}:{port}", "--workers", str(WORKERS)]
-        environment = _environment(**VARIABLES, CAIR_VAR=str(var))
-        with _process(command, environment, log) as process:
-            _wait(process, port, "/readyz", log)
+        with process(command, environment(**VARIABLES, CAIR_VAR=str(var)), log) as one:
+            wait(one, port, "/readyz", log)
             yield port
 
 
@@ -103,6 +104,6 @@ def baseline(prepared: Path) -> Iterator[int]:
         ):
             log = Path(folder) / name
             command = [sys.executable, "-m", "benchmarks.baseline", name, str(port), *options]
-            process = stack.enter_context(_process(command, _environment(), log))
-            _wait(process, port, f"/{HUB}" if name == "hub" else "", log)
+            one = stack.enter_context(process(command, environment(), log))
+            wait(one, port, f"/{HUB}" if name == "hub" else "", log)
         yield hub

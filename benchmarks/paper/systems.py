@@ -40,6 +40,30 @@ def _theirs(state: object) -> list[bytes]:
     return _bodies(lambda said: squeeze({"client_sentence": said, "dialogue_state": state}))
 
 
+def _old(state: object) -> list[bytes]:
+    whole = {
+        "v": 1,
+        "topic": 1,
+        "sentence_type": "q",
+        "pattern": "rwc",
+        "state": state,
+        "conversation_history": [],
+        "ongoing_conversation": True,
+        "formal_language": True,
+    }
+    return _bodies(lambda said: squeeze({"client_sentence": said, "dialogue_state": whole}))
+
+
+def old_clients(folder: Path) -> System:
+    """Return our system as clients that exist see it: an object as state, bodies in zlib."""
+    states = json.loads((folder / "states.json").read_text(encoding="utf-8"))
+    return _system(
+        ("old route", "ours, on the old clients' route", servers.cair),
+        ("PUT", "/CAIR_hub", _old),
+        states["cair"],
+    )
+
+
 def systems(folder: Path) -> list[System]:
     """Return the re-created design and ours, with the states of the prepared folder."""
     states = json.loads((folder / "states.json").read_text(encoding="utf-8"))
