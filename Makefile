@@ -32,8 +32,12 @@ test: .venv/installed test-engine ## All fast tests: engines without Django, the
 test-engine: .venv/installed ## The pure engines, with Django impossible to import
 	$(PURE_PYTEST) -q tests/engine
 
-test-server: .venv/installed ## Real gunicorn on loopback: existing clients, hostile bodies, publishing under load
-	$(BIN)/python -m pytest -q -m server tests/server
+test-server: .venv/installed ## Real gunicorn on loopback: clients, hostile bodies, publishing under load, deploy/
+	$(BIN)/python -m pytest -q -m server tests/server tests/clients tests/deploy
+
+.PHONY: test-postgres
+test-postgres: .venv/installed ## The site's tests on a private PostgreSQL (Debian's package postgresql)
+	$(BIN)/python -m tests.postgres $(BIN)/python -m pytest -q -n 2 --dist loadfile -m "not browser and not server" --ignore=tests/engine
 
 test-browser: .venv/installed ## The web chat and the admin in headless Chromium
 	$(BIN)/python -m pytest -q -m browser tests/browser
