@@ -1,0 +1,1 @@
+../../../python/cair_client.py

@@ -1,0 +1,1 @@
+../../../ros1/cair_ros/src/cair_ros/talk.py
