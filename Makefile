@@ -35,6 +35,28 @@ test-engine: .venv/installed ## The pure engines, with Django impossible to impo
 test-server: .venv/installed ## Real gunicorn on loopback: clients, hostile bodies, publishing under load, deploy/
 	$(BIN)/python -m pytest -q -m server tests/server tests/clients tests/deploy
 
+.PHONY: cluster test-cluster cluster-programs
+cluster-programs:
+	@command -v haproxy >/dev/null || [ -x /usr/sbin/haproxy ] || [ "$$(id -u)" != 0 ] || apt-get install -y -qq haproxy >/dev/null || true
+	@ls /usr/lib/postgresql/*/bin/postgres >/dev/null 2>&1 || [ "$$(id -u)" != 0 ] || apt-get install -y -qq postgresql >/dev/null || true
+
+cluster: .venv/installed-bench cluster-programs ## PostgreSQL, three nodes and HAProxy on this machine; Ctrl-C ends all
+	$(BIN)/python -m cluster $(ARGS)
+
+test-cluster: .venv/installed-bench cluster-programs ## Break a cluster in every way under load: docs/operations/cluster-trial.md
+	$(BIN)/python -m cluster.trial $(ARGS)
+
+ROS_PACKAGES = catkin g++ ros-message-generation ros-std-msgs ros-std-srvs python3-rospy python3-roslaunch \
+	python3-rosservice python3-rostopic python3-std-msgs python3-std-srvs
+
+.PHONY: test-ros
+test-ros: .venv/installed ## The ROS clients: a real roscore where Debian's ROS is, a stub of rclpy
+	@if [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null && ! dpkg -s $(ROS_PACKAGES) >/dev/null 2>&1; then \
+		apt-get update -qq; \
+		DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends $(ROS_PACKAGES) >/dev/null; \
+	fi || echo "ROS could not be installed: its tests are skipped"
+	$(BIN)/python -m pytest -q -rs tests/clients/ros
+
 .PHONY: test-postgres
 test-postgres: .venv/installed ## The site's tests on a private PostgreSQL (Debian's package postgresql)
 	$(BIN)/python -m tests.postgres $(BIN)/python -m pytest -q -n 2 --dist loadfile -m "not browser and not server" --ignore=tests/engine
@@ -56,6 +78,11 @@ check: .venv/installed-dev ## Formatting, linters, types, arrows, migrations, co
 	$(MANAGE) makemigrations --check --dry-run
 	$(MANAGE) check_content
 	$(MANAGE) check_intents
+	$(BIN)/python deploy/audit.py
+
+.PHONY: audit
+audit: .venv/installed-dev ## Known weaknesses of the packages we stand on, where they can be looked up
+	$(BIN)/python deploy/audit.py
 
 format: .venv/installed-dev ## Format the code
 	$(BIN)/ruff format .

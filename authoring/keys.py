@@ -19,6 +19,8 @@ from django.db import DatabaseError, close_old_connections
 from django.utils import timezone
 
 from authoring.models.api_key import ApiKey
+from authoring.rates import Rates
+from authoring.rates import TooOftenError as TooOftenError
 
 logger = logging.getLogger(__name__)
 
@@ -31,14 +33,6 @@ _NO_DIGEST = "0" * 64
 
 class UnknownKeyError(LookupError):
     """There is no such key, or it was revoked."""
-
-
-class TooOftenError(RuntimeError):
-    """The key has used up its calls; `seconds` says how long to wait."""
-
-    def __init__(self, seconds: int) -> None:
-        super().__init__(f"Wait {seconds} seconds.")
-        self.seconds = seconds
 
 
 class KeysUnreadableError(RuntimeError):
@@ -80,12 +74,6 @@ class Known:
     ontology: str = ""
 
 
-@dataclass(slots=True)
-class _Bucket:
-    left: float
-    filled: float
-
-
 @dataclass
 class Ring:
     """The keys of one worker."""
@@ -94,8 +82,10 @@ class Ring:
     keys: Mapping[str, Known] | None = None
     used: set[int] = field(default_factory=set)
     noted: dict[int, float] = field(default_factory=dict)
-    buckets: dict[int, _Bucket] = field(default_factory=dict)
-    lock: threading.Lock = field(default_factory=threading.Lock)
+    rates: Rates = field(init=False)
+
+    def __post_init__(self) -> None:
+        self.rates = Rates(self.clock)
 
     def let_in(self, key: str) -> Known:
         """Let a call with this key pass. Raises UnknownKeyError or TooOftenError."""
@@ -108,18 +98,8 @@ class Ring:
             raise UnknownKeyError
         self.used.add(known.number)
         if known.rate is not None:
-            self._take(known.number, known.rate)
+            self.rates.take(known.number, known.rate)
         return known
-
-    def _take(self, number: int, rate: int) -> None:
-        with self.lock:
-            now = self.clock()
-            bucket = self.buckets.setdefault(number, _Bucket(float(rate), now))
-            grown = bucket.left + (now - bucket.filled) * rate / 60
-            bucket.left, bucket.filled = min(float(rate), grown), now
-            if bucket.left < 1:
-                raise TooOftenError(int((1 - bucket.left) * 60 / rate) + 1)
-            bucket.left -= 1
 
     def load(self) -> None:
         """Read the keys. Raises KeysUnreadableError; those read before stay."""

@@ -10,6 +10,7 @@ from django.http import HttpRequest, HttpResponseBase
 from django.urls import URLPattern, URLResolver, path, reverse
 from django.utils.translation import gettext_lazy as _
 
+from authoring.login_throttle import LoginForm
 from authoring.pages.page import Page, may_see
 from authoring.pages.table import PAGES
 
@@ -17,6 +18,7 @@ from authoring.pages.table import PAGES
 class CairAdminSite(AdminSite):
     """The admin in which experts write, test and publish."""
 
+    login_form = LoginForm
     site_header = site_title = "CAIR"
     index_title = _("What the robot says")
 

@@ -7,6 +7,8 @@ from wsgiref.types import StartResponse, WSGIApplication, WSGIEnvironment
 import msgspec
 
 from cair_site.errors import ApiError, error_json
+from cair_site.metrics import count_error
+from cair_site.request_ids import HEADER, META, id_for
 
 
 class Chunked:
@@ -23,14 +25,16 @@ class Chunked:
             return self.application(environ, start_response)
         body = environ["wsgi.input"].read(self.longest + 1)
         if len(body) > self.longest:
-            return _too_large(start_response)
+            return _too_large(environ, start_response)
         environ["wsgi.input"] = BytesIO(body)
         environ["CONTENT_LENGTH"] = str(len(body))
         return self.application(environ, start_response)
 
 
-def _too_large(start_response: StartResponse) -> list[bytes]:
+def _too_large(environ: WSGIEnvironment, start_response: StartResponse) -> list[bytes]:
+    count_error("body.too_large")
     body = msgspec.json.encode(error_json(ApiError("body.too_large")))
     headers = [("Content-Type", "application/json"), ("Content-Length", str(len(body)))]
+    headers.append((HEADER, id_for(environ.get(META, ""))))
     start_response("413 Content Too Large", headers)
     return [body]

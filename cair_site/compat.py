@@ -14,6 +14,8 @@ from django.views.decorators.csrf import csrf_exempt
 from cair_site.compat_speech import Heard, hear, spoken
 from cair_site.errors import ApiError, error_json, log_fault, named
 from cair_site.messages import deflated, inflated, parse_json, read_bytes
+from cair_site.metrics import count_error
+from cair_site.turn_facts import FACTS, Facts, language_of
 from dialogue.engine.codec import StateError
 from dialogue.engine.content import Content
 from dialogue.engine.saying import apology
@@ -54,7 +56,18 @@ def _hub(request: HttpRequest, language: str) -> HttpResponse:
         return _answer(error_json(error), status=error.status)
     if _is_start(request, message):
         return _answer(_start(message, language))
-    return _answer(_turn(message, language), encoding)
+    answer = _turn(message, language)
+    request.META[FACTS] = _facts(answer)
+    return _answer(answer, encoding)
+
+
+def _facts(answer: Json) -> Facts:
+    """Return what may be told of a turn."""
+    old = answer["dialogue_state"]
+    text = old.get("state") if isinstance(old, dict) else None
+    state = text if isinstance(text, str) else ""
+    said = answer.get("plan_sentence") or answer.get("intent_reply")
+    return Facts("compat", language_of(state), bool(answer["plan"] or said), len(state))
 
 
 def _answer(data: Json, encoding: str = "", status: int = 200) -> HttpResponse:
@@ -119,8 +132,10 @@ def _turn(message: Json, prefix: str) -> Json:
     try:
         answer = _talk(heard, old, language)
     except Exception as error:  # noqa: BLE001 - whatever broke, the client gets words to say
-        if named(error) is None:
+        known = named(error)
+        if known is None:
             log_fault(error)
+        count_error(known.code if known else "server.error")
         answer = _apologise(heard, old, language)
     return answer | {
         name: message[name]

@@ -5,8 +5,9 @@ import re
 import secrets
 import tempfile
 from collections.abc import Sequence
+from ipaddress import IPv4Network, IPv6Network, ip_network
 from pathlib import Path
-from urllib.parse import unquote, urlsplit
+from urllib.parse import urlsplit
 
 from django.core.exceptions import ImproperlyConfigured
 
@@ -61,6 +62,14 @@ def words(name: str, default: str = "") -> list[str]:
     return [word.strip() for word in text(name, default).split(",") if word.strip()]
 
 
+def networks(name: str) -> list[IPv4Network | IPv6Network]:
+    """Return a comma-separated list of addresses and networks: 10.0.0.0/8, 127.0.0.1."""
+    try:
+        return [ip_network(word) for word in words(name)]
+    except ValueError as error:
+        raise ImproperlyConfigured(f"{name}: {error}; give e.g. 127.0.0.1,10.0.0.0/8.") from error
+
+
 def ontology_iri(name: str, default: str) -> str:
     """Return an absolute IRI that names an ontology: its contents are this IRI, # and a name."""
     value = text(name, default)
@@ -104,37 +113,3 @@ def _write_once(path: Path, content: str) -> None:
         pass
     finally:
         os.unlink(name)
-
-
-def database(url: str, default: Path) -> dict[str, object]:
-    """Return Django's database settings of `sqlite:///path` or `postgres://user:pw@host/name`."""
-    if not url:
-        return sqlite(default)
-    parts = urlsplit(url)
-    if parts.scheme == "sqlite":
-        return sqlite(Path(unquote(parts.path)))
-    if parts.scheme in {"postgres", "postgresql"}:
-        return {
-            "ENGINE": "django.db.backends.postgresql",
-            "NAME": unquote(parts.path.lstrip("/")),
-            "USER": unquote(parts.username or ""),
-            "PASSWORD": unquote(parts.password or ""),
-            "HOST": parts.hostname or "",
-            "PORT": str(parts.port or ""),
-            "CONN_MAX_AGE": 60,
-        }
-    raise ImproperlyConfigured("DATABASE_URL: give sqlite:///path or postgres://user@host/name.")
-
-
-def sqlite(path: Path) -> dict[str, object]:
-    """Return the settings of an SQLite file in write-ahead mode."""
-    path.parent.mkdir(parents=True, exist_ok=True)
-    return {
-        "ENGINE": "django.db.backends.sqlite3",
-        "NAME": str(path),
-        "OPTIONS": {
-            "init_command": "PRAGMA journal_mode=WAL; PRAGMA synchronous=NORMAL;",
-            "transaction_mode": "IMMEDIATE",
-            "timeout": 20,
-        },
-    }

@@ -76,6 +76,9 @@ ERRORS: dict[str, Kind] = {
     "key.too_often": Kind(
         429, "This key is used too often.", "Wait as many seconds as Retry-After says."
     ),
+    "address.too_often": Kind(
+        429, "Too many calls from this address.", "Wait as many seconds as Retry-After says."
+    ),
     "key.unchecked": Kind(503, "Keys cannot be checked just now.", "Ask again in a moment."),
     "release.unknown": Kind(404, "There is no such release.", "Leave it out to get the draft."),
     "release.damaged": Kind(500, "The release is damaged.", "Choose another release."),

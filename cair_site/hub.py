@@ -78,7 +78,11 @@ class HubViewSet(TimedViewSet):
         parameters=[
             OpenApiParameter("language", str, description="en, it or ja"),
             OpenApiParameter("culture", str, description="EN, IT, JP or IN"),
-            OpenApiParameter("seed", int, description="The same seed gives the same replies."),
+            OpenApiParameter(
+                "seed",
+                str,
+                description=f"0 to {MOST_SEED}: the same seed gives the same replies.",
+            ),
         ],
         responses=StartSerializer,
     )

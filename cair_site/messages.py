@@ -13,6 +13,8 @@ from rest_framework.renderers import BaseRenderer
 from rest_framework.request import Request
 
 from cair_site.errors import ApiError
+from cair_site.turn_facts import LANGUAGE
+from languages.known import LANGUAGES
 from plans.timing import DECODE, lap
 
 DEFLATE, GZIP = "deflate", "gzip"
@@ -45,7 +47,16 @@ class BodyParser(BaseParser):
         with lap(DECODE):
             body, encoding = inflated(read_bytes(request, stream))
             request._request.cair_encoding = encoding
-            return parse_json(body)
+            message = parse_json(body)
+        _note_language(request, message)
+        return message
+
+
+def _note_language(request: Any, message: Mapping[str, Any]) -> None:
+    """Keep which language was asked for, for the counts: one of ours, else the default."""
+    given = message.get("language")
+    code = given[:2].lower() if isinstance(given, str) else ""
+    request.META[LANGUAGE] = code if code in LANGUAGES else settings.CAIR_LANGUAGE
 
 
 def read_bytes(request: Any, stream: Readable) -> bytes:

@@ -13,7 +13,7 @@ from rest_framework.response import Response
 from rest_framework.viewsets import ViewSet
 
 from authoring.ontology import exports, imports, telling
-from authoring.ontology.sending import OWL, sent
+from authoring.ontology.sending import GZIP, OWL, sent
 from cair_site.api_keys import key_of
 from cair_site.errors import ApiError
 from cair_site.ontology_parser import OwlParser
@@ -66,10 +66,10 @@ class OntologyViewSet(ViewSet):
 
     @extend_schema(
         parameters=[
-            OpenApiParameter("release", int, description="A release; without it the draft."),
+            OpenApiParameter("release", str, description="Its number; without it the draft."),
             OpenApiParameter("gzip", str, description=f"As a gzip file: {_FLAG}"),
         ],
-        responses={(200, OWL): OpenApiTypes.BINARY},
+        responses={(200, OWL): OpenApiTypes.BINARY, (200, GZIP): OpenApiTypes.BINARY},
     )
     def list(self, request: Request) -> HttpResponseBase:
         """Send the draft or a release as RDF/XML."""

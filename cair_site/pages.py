@@ -8,6 +8,7 @@ from django.shortcuts import render
 from django.views.decorators.csrf import csrf_exempt
 from drf_spectacular.views import SpectacularAPIView, SpectacularRedocView
 
+from cair_site import chat_pass
 from cair_site.errors import ApiError, error_json
 from cair_site.hub import options_json
 from dialogue.publishing import NothingPublishedError
@@ -19,7 +20,10 @@ def chat(request: HttpRequest) -> HttpResponse:
         options = options_json()
     except NothingPublishedError:
         return render(request, "not_published.html", status=503)
-    return render(request, "chat.html", options)
+    response = render(request, "chat.html", options)
+    if chat_pass.wanted():
+        chat_pass.give(response)
+    return response
 
 
 #: ReDoc styles its page inline and runs a worker: the policy of this page allows just that.

@@ -1,14 +1,19 @@
-"""The Hub's way to the two managers: called in this process, or over HTTP where they live apart."""
+"""The Hub's way to the two managers: called in this process, or over HTTP where they live apart.
+
+Apart, a turn takes CAIR_SERVICE_SECONDS at most. The Plan Manager may use a third of them; while
+it is silent, people go on talking without plans. While the Dialogue Manager is silent they are
+asked to try again with the state they have, which nobody has changed.
+"""
 
 import logging
+import time
 from dataclasses import dataclass
-from http.client import HTTPException
-from urllib.error import URLError
-from urllib.request import Request, urlopen
+from typing import NamedTuple
 
 import msgspec
 from django.conf import settings
 
+from cair_site.elsewhere import Call, SilentError, elsewhere
 from cair_site.errors import ApiError
 from dialogue.api import (
     ActionMessage,
@@ -19,15 +24,19 @@ from dialogue.api import (
     reply_json,
     state_for,
 )
+from dialogue.engine.codec import StateError
 from dialogue.engine.content import Content
 from dialogue.engine.state import DialogueState
-from dialogue.turns import take_turn, understand, write_state
+from dialogue.turns import read_state, take_turn, understand, write_state
 from plans.api import Json, plan_json
+from plans.choices import UnknownChoiceError
 from plans.engine.manager import PlanAnswer
+from plans.timing import DIALOGUE, MATCH, lap
 
 logger = logging.getLogger(__name__)
 
 PLAN_FIELDS = ("plan_sentence", "plan", "plan_actions")
+PLAN_SHARE = 1 / 3
 
 
 class PlanSaid(msgspec.Struct):
@@ -53,6 +62,15 @@ class DialogueSaid(msgspec.Struct):
     sentence_type: str
 
 
+class Taken(NamedTuple):
+    """A turn that is being taken."""
+
+    content: Content
+    asked: TurnRequest
+    state: DialogueState
+    sentence: str
+
+
 @dataclass(frozen=True, slots=True)
 class Services:
     """The Plan Manager and the Dialogue Manager, wherever they are."""
@@ -61,66 +79,83 @@ class Services:
         """Return the answer of one turn."""
         state = state_for(content, asked)
         if settings.CAIR_PLAN_MANAGER_URL or settings.CAIR_DIALOGUE_MANAGER_URL:
-            return _turn_over_http(content, asked, state, sentence)
+            return _turn_over_http(Taken(content, asked, state, sentence))
         taken = take_turn(content, state, sentence, capabilities=asked.capabilities)
         return reply_json(taken.reply, taken.plan)
 
 
-def _turn_over_http(
-    content: Content, asked: TurnRequest, state: DialogueState, sentence: str
-) -> Json:
+def _turn_over_http(turn: Taken) -> Json:
     """Ask the services that live elsewhere; a silent Plan Manager costs its plan, not the talk."""
-    understood = _plan(content, asked, state, sentence)
-    reply = _dialogue(content, asked, state, sentence, understood)
-    waiting = understood["question"] is not None
-    if not waiting and not reply["plan"] and not reply["plan_sentence"]:
+    began, seconds = time.monotonic(), settings.CAIR_SERVICE_SECONDS
+    understood = _plan(turn, began + PLAN_SHARE * seconds)
+    reply = _dialogue(turn, understood, began + seconds)
+    if not reply["plan"] and not reply["plan_sentence"] and not _asks(reply, understood):
         reply |= {name: understood[name] for name in PLAN_FIELDS}
     return reply
 
 
-def _plan(content: Content, asked: TurnRequest, state: DialogueState, sentence: str) -> Json:
-    url = settings.CAIR_PLAN_MANAGER_URL
+def _asks(reply: Json, understood: Json) -> bool:
+    """Say whether the plan waits for an answer: the Dialogue Manager decided, its state tells."""
+    try:
+        return read_state(str(reply["dialogue_state"])).pending is not None
+    except (StateError, UnknownChoiceError):  # Of a newer version, in the middle of an update.
+        return understood["question"] is not None
+
+
+def _plan(turn: Taken, until: float) -> Json:
+    url, state, capabilities = settings.CAIR_PLAN_MANAGER_URL, turn.state, turn.asked.capabilities
     if not url:
-        return plan_json(understand(content, state, sentence, asked.capabilities))
+        return plan_json(understand(turn.content, state, turn.sentence, capabilities))
     body: Json = {
-        "client_sentence": sentence,
+        "client_sentence": turn.sentence,
         "language": state.language,
         "culture": state.culture,
-        "capabilities": asked.capabilities,
+        "capabilities": capabilities,
+        "seed": state.seed,
+        "turn": state.turn,
     }
     try:
-        return _post(url, body, PlanSaid)
-    except ApiError:
-        logger.warning("The Plan Manager does not answer: this turn has no plan.")
+        with lap(MATCH):
+            return _post(url, body, PlanSaid, until)
+    except SilentError as error:
+        logger.warning("The Plan Manager is silent, this turn has no plan: %s.", error)
         return plan_json(PlanAnswer())
 
 
-def _dialogue(
-    content: Content, asked: TurnRequest, state: DialogueState, sentence: str, understood: Json
-) -> Json:
+def _dialogue(turn: Taken, understood: Json, until: float) -> Json:
     request = DialogueRequest(
-        client_sentence=sentence,
-        dialogue_state=write_state(state),
-        capabilities=asked.capabilities,
+        client_sentence=turn.sentence,
+        dialogue_state=write_state(turn.state),
+        capabilities=turn.asked.capabilities,
         intent=str(understood["intent"]),
+        plan_sentence=str(understood["plan_sentence"]),
         kbplan_actions=msgspec.convert(understood["kbplan_actions"], list[ActionMessage]),
         question=msgspec.convert(understood["question"], QuestionMessage | None),
     )
     url = settings.CAIR_DIALOGUE_MANAGER_URL
-    if url:
-        return _post(url, msgspec.to_builtins(request), DialogueSaid)
-    return answer_dialogue(content, request, state)
-
-
-def _post(url: str, body: Json, expected: type[PlanSaid | DialogueSaid]) -> Json:
-    """Return a service's answer. Raises ApiError where it is silent or answers nonsense."""
-    request = Request(  # noqa: S310 - the operator's own setting, http or https (checked)
-        url, data=msgspec.json.encode(body), headers={"Content-Type": "application/json"}
-    )
+    if not url:
+        return answer_dialogue(turn.content, request, turn.state)
     try:
-        with urlopen(request, timeout=settings.CAIR_SERVICE_SECONDS) as answer:  # noqa: S310
-            text = answer.read(settings.CAIR_LONGEST_INFLATED)
-        said = msgspec.json.decode(text, type=expected)
-    except (URLError, OSError, HTTPException, ValueError) as error:
+        with lap(DIALOGUE):
+            return _post(url, msgspec.to_builtins(request), DialogueSaid, until)
+    except SilentError as error:
+        logger.warning("The Dialogue Manager is silent: %s.", error)
         raise ApiError("service.unreachable") from error
+
+
+def _post(url: str, body: Json, expected: type[PlanSaid | DialogueSaid], until: float) -> Json:
+    """Return a service's answer. Raises SilentError where it is silent or answers nonsense."""
+    call = Call(msgspec.json.encode(body), _headers(), until, settings.CAIR_LONGEST_INFLATED)
+    text = elsewhere(url).post(call)
+    try:
+        said = msgspec.json.decode(text, type=expected)
+    except (msgspec.DecodeError, UnicodeDecodeError) as error:
+        raise SilentError("it answered nonsense") from error
     return msgspec.convert(msgspec.to_builtins(said), Json)
+
+
+def _headers() -> dict[str, str]:
+    key = getattr(settings, "CAIR_SERVICE_KEY", "")
+    return {"Content-Type": "application/json"} | (
+        {"Authorization": f"Api-Key {key}"} if key else {}
+    )

@@ -2,13 +2,16 @@
 
 from pathlib import Path
 
-from cair_site import environment
+from cair_site import databases, environment, log_lines
 
 BASE_DIR = Path(__file__).resolve().parent.parent
 VAR = Path(environment.text("CAIR_VAR", str(BASE_DIR / "var"))).resolve()
 
 DEBUG = environment.flag("CAIR_DEBUG")
-SECRET_KEY = environment.secret("CAIR_SECRET_KEY", VAR)
+# What an older key signed (sessions, forms) still holds: put the newest first.
+SECRET_KEY, *SECRET_KEY_FALLBACKS = environment.words("CAIR_SECRET_KEYS") or [
+    environment.secret("CAIR_SECRET_KEY", VAR)
+]
 # States signed with an older key are still read: put the newest first.
 CAIR_STATE_KEYS = environment.words("CAIR_STATE_KEYS") or [
     environment.secret("CAIR_STATE_KEY", VAR)
@@ -36,6 +39,8 @@ INSTALLED_APPS = [
     "cair_site.apps.SiteConfig",
 ]
 MIDDLEWARE = [
+    "cair_site.observing.Observed",
+    "cair_site.operations.Operations",
     "cair_site.middleware.SecurityHeaders",
     "cair_site.middleware.ApiSlash",
     "cair_site.api_keys.ApiKeys",
@@ -67,9 +72,7 @@ TEMPLATES = [
         },
     }
 ]
-DATABASES = {
-    "default": environment.database(environment.text("DATABASE_URL"), VAR / "cair.sqlite3")
-}
+DATABASES = {"default": databases.database(environment.text("DATABASE_URL"), VAR / "cair.sqlite3")}
 DEFAULT_AUTO_FIELD = "django.db.models.AutoField"
 AUTH_PASSWORD_VALIDATORS = [
     {"NAME": f"django.contrib.auth.password_validation.{name}"}
@@ -108,6 +111,8 @@ SESSION_COOKIE_SECURE = CSRF_COOKIE_SECURE = LANGUAGE_COOKIE_SECURE = CAIR_HTTPS
 SECURE_SSL_REDIRECT = CAIR_HTTPS
 SECURE_HSTS_SECONDS = 31_536_000 if CAIR_HTTPS else 0
 SECURE_HSTS_INCLUDE_SUBDOMAINS = SECURE_HSTS_PRELOAD = CAIR_HTTPS
+# Calls among our own machines: they are asked and answered in plain HTTP.
+SECURE_REDIRECT_EXEMPT = ["^livez$", "^readyz$", "^metrics$"]
 SECURE_PROXY_SSL_HEADER = ("HTTP_X_FORWARDED_PROTO", "https") if CAIR_HTTPS else None
 
 # What the service accepts and how it talks.
@@ -124,7 +129,13 @@ CAIR_POLL_SECONDS = environment.number("CAIR_POLL_SECONDS", 1, least=1, most=360
 CAIR_PLAN_MANAGER_URL = environment.text("CAIR_PLAN_MANAGER_URL")
 CAIR_DIALOGUE_MANAGER_URL = environment.text("CAIR_DIALOGUE_MANAGER_URL")
 CAIR_SERVICE_SECONDS = environment.number("CAIR_SERVICE_SECONDS", 3, least=1, most=60)
+CAIR_SERVICE_KEY = environment.text("CAIR_SERVICE_KEY")
 CAIR_KEYS_REQUIRED = environment.flag("CAIR_KEYS_REQUIRED")
+CAIR_CHAT_RATE = environment.number("CAIR_CHAT_RATE", 30, most=100_000)
+CAIR_ADDRESS_RATE = environment.number("CAIR_ADDRESS_RATE", 0, most=1_000_000)
+CAIR_TRUSTED_PROXIES = environment.networks("CAIR_TRUSTED_PROXIES")
+CAIR_LOGIN_FAILURES = environment.number("CAIR_LOGIN_FAILURES", 5, least=1, most=1000)
+CAIR_LOGIN_MINUTES = environment.number("CAIR_LOGIN_MINUTES", 15, least=1, most=1440)
 # Long uploads wait here, not where other users of the machine see them.
 FILE_UPLOAD_TEMP_DIR = str(VAR) if VAR.is_dir() else None
 DATA_UPLOAD_MAX_MEMORY_SIZE = 5_000_000
@@ -138,7 +149,7 @@ REST_FRAMEWORK = {
     "DEFAULT_PARSER_CLASSES": ["cair_site.messages.BodyParser"],
     "DEFAULT_CONTENT_NEGOTIATION_CLASS": "cair_site.messages.AlwaysJSON",
     "EXCEPTION_HANDLER": "cair_site.errors.answer_error",
-    "DEFAULT_SCHEMA_CLASS": "drf_spectacular.openapi.AutoSchema",
+    "DEFAULT_SCHEMA_CLASS": "cair_site.openapi_schema.Schema",
 }
 SPECTACULAR_SETTINGS = {
     "TITLE": "CAIR",
@@ -146,17 +157,33 @@ SPECTACULAR_SETTINGS = {
     "VERSION": "1",
     "SERVE_INCLUDE_SCHEMA": False,
     "SCHEMA_PATH_PREFIX": "/api/v1/",
+    "APPEND_COMPONENTS": {
+        "securitySchemes": {"ApiKey": {"type": "apiKey", "in": "header", "name": "X-Api-Key"}}
+    },
     "SWAGGER_UI_DIST": "SIDECAR",
     "SWAGGER_UI_FAVICON_HREF": "SIDECAR",
     "REDOC_DIST": "SIDECAR",
 }
 
+# What operators see.
+CAIR_METRICS_TOKEN = environment.text("CAIR_METRICS_TOKEN")
+CAIR_ACCESS_LOG = environment.flag("CAIR_ACCESS_LOG")
+CAIR_SLOW_MS = environment.number("CAIR_SLOW_MS", 0, most=60_000)
+CAIR_SLOW_A_MINUTE = environment.number("CAIR_SLOW_A_MINUTE", 10, least=1, most=10_000)
+CAIR_LOG_FORMAT = environment.choice("CAIR_LOG_FORMAT", tuple(log_lines.FORMATTERS))
 LOG_LEVELS = ("INFO", "DEBUG", "WARNING", "ERROR", "CRITICAL")
 LOGGING = {
     "version": 1,
     "disable_existing_loggers": False,
-    "formatters": {"plain": {"format": "%(asctime)s %(levelname)s %(name)s: %(message)s"}},
-    "handlers": {"console": {"class": "logging.StreamHandler", "formatter": "plain"}},
+    "formatters": {"ours": {"()": log_lines.FORMATTERS[CAIR_LOG_FORMAT]}},
+    "filters": {"without_words": {"()": log_lines.WithoutWords}},
+    "handlers": {
+        "console": {
+            "class": "logging.StreamHandler",
+            "formatter": "ours",
+            "filters": ["without_words"],
+        }
+    },
     "root": {"handlers": ["console"], "level": environment.choice("CAIR_LOG_LEVEL", LOG_LEVELS)},
     # Who sends nonsense is told so; our log is not theirs to fill.
     "loggers": {"django.request": {"level": "ERROR"}},

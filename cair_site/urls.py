@@ -33,6 +33,7 @@ urlpatterns = [
     re_path(r"^(?:(?P<language>[a-z]{2})/)?CAIR_hub(?:/start)?/?$", compat.hub, name="compat"),
     path("livez", operations.livez),
     path("readyz", operations.readyz),
+    path("metrics", operations.metrics),
 ]
 handler400 = "cair_site.errors.bad_request"
 handler404 = "cair_site.errors.not_found"

@@ -9,10 +9,13 @@ django_application = get_wsgi_application()
 
 from django.conf import settings  # noqa: E402 - settings come first
 from django.db import connections  # noqa: E402
+from django.urls import get_resolver  # noqa: E402
 
 from cair_site.chunked import Chunked  # noqa: E402
 from dialogue.publishing import preload  # noqa: E402
 
 application = Chunked(django_application, settings.CAIR_LONGEST_BODY)
 preload()
+# The first call of a fresh worker would else import the whole site.
+_ = get_resolver().url_patterns
 connections.close_all()

@@ -65,38 +65,59 @@ class DialogueRequest(TurnRequest):
 
     kbplan_actions: list[ActionMessage] = []
     intent: str = ""
+    plan_sentence: str = ""
     question: QuestionMessage | None = None
 
 
 class TurnSerializer(serializers.Serializer):
     client_sentence = serializers.CharField(
-        max_length=1000, allow_blank=True, help_text="I love music"
+        required=False,
+        allow_blank=True,
+        help_text="I love music; heard up to CAIR_LONGEST_SENTENCE characters.",
     )
     dialogue_state = serializers.CharField(
         required=False, help_text="As the last answer gave it; without it a talk starts."
     )
     language = serializers.CharField(
-        max_length=20, required=False, help_text="en: of a talk that starts with this turn."
+        required=False, help_text="en, it or ja: of a talk that starts with this turn."
     )
     culture = serializers.CharField(
-        max_length=8, required=False, help_text="EN: of a talk that starts with this turn."
+        required=False, help_text="EN: of a talk that starts with this turn."
     )
     seed = serializers.IntegerField(
         min_value=0, max_value=MOST_SEED, required=False, help_text="The same gives the same talk."
     )
     capabilities = serializers.ListField(
-        child=serializers.CharField(max_length=60),
+        child=serializers.CharField(),
         required=False,
+        allow_null=True,
         help_text="The actions this client can do; without it all are offered.",
     )
 
 
-class DialogueSerializer(TurnSerializer):
-    kbplan_actions = ActionSerializer(many=True, required=False)
-    intent = serializers.CharField(
-        max_length=60, required=False, help_text="What the Plan Manager understood, if anything."
+class KbActionSerializer(ActionSerializer):
+    parameters = serializers.DictField(
+        child=serializers.CharField(allow_null=True),
+        required=False,
+        help_text="None where it has none.",
     )
-    question = QuestionSerializer(
+
+
+class AskedSerializer(QuestionSerializer):
+    parameters = serializers.DictField(child=serializers.CharField(), required=False)
+
+
+class DialogueSerializer(TurnSerializer):
+    kbplan_actions = KbActionSerializer(many=True, required=False)
+    intent = serializers.CharField(
+        required=False, help_text="What the Plan Manager understood, if anything."
+    )
+    plan_sentence = serializers.CharField(
+        required=False,
+        allow_blank=True,
+        help_text="What the Plan Manager says first: it is not said again.",
+    )
+    question = AskedSerializer(
         required=False, allow_null=True, help_text="What the Plan Manager wants to be asked."
     )
 
@@ -168,7 +189,10 @@ def answer_dialogue(content: Content, asked: DialogueRequest, state: DialogueSta
     """Return the answer of the Dialogue Manager alone."""
     actions = tuple(Action(one.action, one.parameters) for one in asked.kbplan_actions)
     understood = PlanAnswer(
-        intent=asked.intent, kbplan_actions=actions, question=_question(asked.question)
+        intent=asked.intent,
+        plan_sentence=asked.plan_sentence,
+        kbplan_actions=actions,
+        question=_question(asked.question),
     )
     heard = heard_with(content, sentence_of(asked), understood, asked.capabilities)
     with lap(DIALOGUE):

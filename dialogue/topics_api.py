@@ -44,7 +44,7 @@ class TopicViewSet(ViewSet):
     @extend_schema(
         parameters=[
             OpenApiParameter("search", str, description="Part of a name in any language."),
-            OpenApiParameter("page", int),
+            OpenApiParameter("page", str, description="1 and up; without a number the first."),
         ],
         responses=TopicsSerializer,
     )

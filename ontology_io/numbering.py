@@ -29,14 +29,14 @@ MODELS: Mapping[str, type[models.Model]] = {
 
 def last_numbers() -> dict[str, int]:
     """Return the highest number ever given, by kind."""
-    return {kind: _last(model) for kind, model in MODELS.items()}
+    return {kind: last_number(model) for kind, model in MODELS.items()}
 
 
 def raise_last_numbers(last: Mapping[str, int]) -> None:
     """Make sure that numbers up to these are never given to anything new."""
     for kind, model in MODELS.items():
-        if last.get(kind, 0) > _last(model):
-            _set_last(model, last[kind])
+        if last.get(kind, 0) > last_number(model):
+            set_last_number(model, last[kind])
 
 
 def numbered(base: KnowledgeBase, old: KnowledgeBase) -> KnowledgeBase:
@@ -116,21 +116,25 @@ def _numbers(new: Iterable[Keyed], old: Iterable[Keyed], last: int) -> dict[str,
     return numbers
 
 
-def _last(model: type[models.Model]) -> int:
-    table = model._meta.db_table
+def last_number(model: type[models.Model]) -> int:
+    """Return the highest number a table ever gave to a row, 0 where it gave none."""
+    table, quote = model._meta.db_table, connection.ops.quote_name
     with connection.cursor() as cursor:
         if connection.vendor == "sqlite":
             cursor.execute("SELECT seq FROM sqlite_sequence WHERE name = %s", [table])
         else:
             cursor.execute(
-                "SELECT last_value FROM pg_sequences WHERE sequencename = %s", [f"{table}_id_seq"]
+                "SELECT last_value FROM pg_sequences WHERE pg_get_serial_sequence(%s, %s)"
+                " = quote_ident(schemaname) || '.' || quote_ident(sequencename)",
+                [quote(table), _column(model)],
             )
         row = cursor.fetchone()
     return int(row[0] or 0) if row else 0
 
 
-def _set_last(model: type[models.Model], last: int) -> None:
-    table = model._meta.db_table
+def set_last_number(model: type[models.Model], last: int) -> None:
+    """Have the next row get the number after `last`, from 1."""
+    table, quote = model._meta.db_table, connection.ops.quote_name
     with connection.cursor() as cursor:
         if connection.vendor == "sqlite":
             cursor.execute("UPDATE sqlite_sequence SET seq = %s WHERE name = %s", [last, table])
@@ -139,4 +143,11 @@ def _set_last(model: type[models.Model], last: int) -> None:
                     "INSERT INTO sqlite_sequence (name, seq) VALUES (%s, %s)", [table, last]
                 )
         else:
-            cursor.execute("SELECT setval(pg_get_serial_sequence(%s, 'id'), %s)", [table, last])
+            cursor.execute(
+                "SELECT setval(pg_get_serial_sequence(%s, %s), %s)",
+                [quote(table), _column(model), last],
+            )
+
+
+def _column(model: type[models.Model]) -> str:
+    return str(model._meta.pk.column)

@@ -1,6 +1,6 @@
 """The Plan Manager over REST: it says whether the person asked for something."""
 
-from random import Random
+from typing import Annotated
 
 import msgspec
 from django.conf import settings
@@ -13,6 +13,7 @@ from rest_framework.viewsets import ViewSet
 from languages.known import LANGUAGES
 from plans.choices import language_code
 from plans.engine.actions import ACTIONS
+from plans.engine.chance import chance_for
 from plans.engine.intents import Intent
 from plans.engine.kb_actions import KB_ACTIONS
 from plans.engine.manager import Action, PlanAnswer, Question, answer
@@ -22,6 +23,8 @@ from plans.timed_views import TimedViewSet
 from plans.timing import MATCH, lap
 
 Json = dict[str, object]
+MOST_SEED = 2**32 - 1
+Number = Annotated[int, msgspec.Meta(ge=0, le=MOST_SEED)]
 
 
 class PlanRequest(msgspec.Struct, forbid_unknown_fields=False):
@@ -31,14 +34,30 @@ class PlanRequest(msgspec.Struct, forbid_unknown_fields=False):
     language: str = ""
     culture: str = ""
     capabilities: list[str] | None = None
+    seed: Number = 0
+    turn: Number = 0
 
 
 class PlanRequestSerializer(serializers.Serializer):
-    client_sentence = serializers.CharField(max_length=1000, help_text="Play Hey Brother")
-    language = serializers.ChoiceField(choices=list(LANGUAGES), required=False)
-    culture = serializers.CharField(max_length=8, required=False, help_text="EN")
+    client_sentence = serializers.CharField(
+        required=False, help_text="Play Hey Brother; heard up to CAIR_LONGEST_SENTENCE characters."
+    )
+    language = serializers.CharField(required=False, help_text=", ".join(LANGUAGES))
+    culture = serializers.CharField(required=False, help_text="EN")
     capabilities = serializers.ListField(
-        child=serializers.CharField(max_length=60), required=False, help_text="Actions it can do."
+        child=serializers.CharField(),
+        required=False,
+        allow_null=True,
+        help_text="Actions it can do.",
+    )
+    seed = serializers.IntegerField(
+        min_value=0,
+        max_value=MOST_SEED,
+        required=False,
+        help_text="The same gives the same plan sentence in the same turn; 0 or none: any.",
+    )
+    turn = serializers.IntegerField(
+        min_value=0, max_value=MOST_SEED, required=False, help_text="Which turn of the talk it is."
     )
 
 
@@ -113,7 +132,7 @@ class PlanViewSet(TimedViewSet):
                 asked.client_sentence[: settings.CAIR_LONGEST_SENTENCE],
                 language_code(asked.language or settings.CAIR_LANGUAGE),
                 culture=asked.culture.strip().upper(),
-                chance=Random(),
+                chance=chance_for(asked.seed, asked.turn),
                 capabilities=asked.capabilities,
             )
         return Response(plan_json(plan))

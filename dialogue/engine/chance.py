@@ -4,16 +4,9 @@ from collections.abc import Sequence
 from random import Random
 from typing import TypeVar
 
+from plans.engine.chance import chance_for as chance_for
+
 Item = TypeVar("Item")
-
-_SPREAD = 0x9E3779B97F4A7C15  # 2**64 divided by the golden ratio: neighbours fall far apart
-
-
-def chance_for(seed: int, turn: int) -> Random:
-    """Return the chance of one turn: fresh for seed 0, else the same each time."""
-    if not seed:
-        return Random()
-    return Random((seed * _SPREAD + turn) % 2**64)
 
 
 def draw(options: Sequence[tuple[Item, float]], chance: Random) -> Item | None:

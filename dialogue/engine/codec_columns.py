@@ -24,7 +24,7 @@ MAX_ROWS = 512  # rows are never tried above: columns cost less time and, soon, 
 _NOTHING, _ROWS, _COLUMNS = 0, 1, 2
 _ZERO_OR_ONE = b"0" + b"1" * 255
 _VALID_LEVELS = bytes(range(MAX_LEVEL + 1))
-_COVERED = re.compile(rb"[^\0]")
+_COVERED = re.compile(rb"\0*([^\0])")
 _WHOLE, _PARTLY = b"\1", b"\0"
 _ZEROS = ("", *("0" * zeros + "1" for zeros in range(MAX_TOPIC.bit_length() + 1)))
 
@@ -123,7 +123,7 @@ def _inflate(data: bytes, largest: int) -> bytes:
 
 
 def _as_rows(cover: bytes, columns: Sequence[bytes], started: Sequence[int]) -> bytes:
-    topics = [found.start() for found in _COVERED.finditer(cover)]
+    topics = [found.start(1) for found in _COVERED.finditer(cover)]
     levels, *masks = [
         bytes(map(column.ljust(len(cover), b"\0").__getitem__, topics)) for column in columns
     ]

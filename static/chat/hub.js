@@ -35,14 +35,19 @@ export class Hub {
   }
 
   async #call(path, body) {
-    const response = await this.#fetch(path, body);
+    let response = await this.#fetch(this.base + path, body);
+    if (response.status === 401) {
+      // Where calls need a key, the page brings a pass of a few minutes with it: a new page, a new pass.
+      await this.#fetch(location.pathname);
+      response = await this.#fetch(this.base + path, body);
+    }
     const answer = await response.json().catch(() => null);
     if (!response.ok) throw troubleOf(response.status, answer);
     if (!answer || typeof answer !== "object") throw new Trouble("server", { code: "answer.unreadable" });
     return answer;
   }
 
-  async #fetch(path, body) {
+  async #fetch(address, body) {
     const options = { headers: { Accept: "application/json" }, signal: AbortSignal.timeout(PATIENCE) };
     if (body) {
       options.method = "POST";
@@ -50,7 +55,7 @@ export class Hub {
       options.body = JSON.stringify(body);
     }
     try {
-      return await fetch(this.base + path, options);
+      return await fetch(address, options);
     } catch (error) {
       throw new Trouble(error.name === "TimeoutError" ? "slow" : "network", { message: error.message });
     }

@@ -228,4 +228,3 @@ def test_the_schema_names_the_calls(client: Client) -> None:
     assert set(paths[ADDRESS]) == {"get", "post"}
     assert set(paths[f"{ADDRESS}imports/{{number}}/"]) == {"get"}
     assert OWL in paths[ADDRESS]["post"]["requestBody"]["content"]
-    assert "404" not in paths[ADDRESS]["get"]["responses"]

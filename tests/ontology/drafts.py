@@ -3,11 +3,10 @@
 from pathlib import Path
 
 import pytest
-from django.apps import apps
-from django.db import connection, transaction
 
 from ontology_io.files.folder import Folder, read_folder
 from ontology_io.store import write_base
+from tests.ontology.emptying import empty_apps
 from tests.ontology.small_content import write_files
 
 
@@ -22,17 +21,7 @@ def small_folder(tmp_path: Path) -> Path:
 @pytest.fixture
 def empty_draft(db: None) -> None:
     """Empty the tables (another test may have loaded the shipped content for its whole session)."""
-    tables = [
-        model._meta.db_table
-        for app in ("dialogue", "plans")
-        for model in apps.get_app_config(app).get_models(include_auto_created=True)
-    ]
-    # Within one transaction, so that the order of the tables does not matter.
-    with transaction.atomic(), connection.cursor() as cursor:
-        cursor.execute("PRAGMA defer_foreign_keys = ON")
-        for table in tables:
-            cursor.execute(f'DELETE FROM "{table}"')  # noqa: S608 - names of our own tables
-            cursor.execute("DELETE FROM sqlite_sequence WHERE name = %s", [table])
+    empty_apps("dialogue", "plans")
 
 
 @pytest.fixture

@@ -1,12 +1,11 @@
 """Edits of an export as Protégé makes them, done with rdflib."""
 
-from django.apps import apps
-from django.db import connection, transaction
 from rdflib import OWL, RDF, RDFS, BNode, Graph, Literal, Namespace, URIRef
 from rdflib.term import Node
 
 from ontology_io.exporting import export_draft
 from ontology_io.importing import Preview, apply, preview
+from tests.ontology.emptying import empty_apps
 
 CAIR, KB = Namespace("urn:cair:vocab#"), Namespace("urn:cair:kb#")
 XSD_INTEGER = URIRef("http://www.w3.org/2001/XMLSchema#integer")
@@ -32,16 +31,7 @@ def told(found: Preview) -> list[tuple[str, str, str, tuple[str, ...]]]:
 
 def empty_tables() -> None:
     """Empty the draft's tables, their numbers too."""
-    rows = [
-        model._meta.db_table
-        for app in ("dialogue", "plans", "ontology_io")
-        for model in apps.get_app_config(app).get_models(include_auto_created=True)
-    ]
-    with transaction.atomic(), connection.cursor() as cursor:
-        cursor.execute("PRAGMA defer_foreign_keys = ON")
-        for table in rows:
-            cursor.execute(f'DELETE FROM "{table}"')  # noqa: S608 - names of our own tables
-            cursor.execute("DELETE FROM sqlite_sequence WHERE name = %s", [table])
+    empty_apps("dialogue", "plans", "ontology_io")
 
 
 def integer(number: int) -> Literal:

@@ -13,6 +13,7 @@ from django.core.management import call_command
 from django.core.management.base import BaseCommand
 from tqdm import tqdm
 
+from cair_site.one_at_a_time import one_at_a_time
 from dialogue.models import Publication
 
 Job = tuple[str, Callable[[], object]]
@@ -25,7 +26,12 @@ class Command(BaseCommand):
         parser.add_argument("--content", default=str(settings.BASE_DIR / "content"))
 
     def handle(self, *args: object, **options: object) -> None:
-        folder = Path(str(options["content"]))
+        Path(settings.VAR).mkdir(parents=True, exist_ok=True, mode=0o700)
+        with one_at_a_time("prepare"):
+            self._prepare(Path(str(options["content"])))
+
+    def _prepare(self, folder: Path) -> None:
+        """Do all that lacks, one after another; several nodes may start at once."""
         jobs: list[Job] = [("database", self._migrate)]
         if self._stale_static():
             jobs.append(("static files", self._collect_static))

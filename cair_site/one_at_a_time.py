@@ -1,0 +1,62 @@
+"""Work on the database that only one process at a time may do, on whatever machine it runs."""
+
+import fcntl
+import zlib
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+from django.db import connection
+from django.db.backends.base.base import BaseDatabaseWrapper
+
+#: Sets our locks apart from those of other programs that use the same PostgreSQL.
+OURS = 0x43414952  # "CAIR"
+
+
+@contextmanager
+def one_at_a_time(
+    work: str,
+    used: BaseDatabaseWrapper = connection,
+) -> Iterator[None]:
+    """Wait until nobody else does this work on the database of `used`, then keep others waiting.
+
+    A process that dies lets go. On PostgreSQL this is an advisory lock of a connection of its own
+    (not through a pooler that gives every statement another connection); on SQLite a locked file
+    next to the database's. A database in memory has no others.
+    """
+    if used.vendor == "postgresql":
+        with _lock_of_postgres(work, used):
+            yield
+    elif used.vendor == "sqlite" and not _in_memory(used):
+        with _locked_file(Path(f"{used.settings_dict['NAME']}.{work}.lock")):
+            yield
+    else:
+        yield
+
+
+def _in_memory(used: BaseDatabaseWrapper) -> bool:
+    name = str(used.settings_dict["NAME"])
+    return name == ":memory:" or name.startswith("file:")
+
+
+@contextmanager
+def _lock_of_postgres(work: str, used: BaseDatabaseWrapper) -> Iterator[None]:
+    own = used.copy()
+    # Apart from the pool, which would give it back; the wait for others has no limit of time.
+    own.settings_dict["OPTIONS"].pop("pool", None)
+    try:
+        with own.cursor() as cursor:
+            cursor.execute("SET statement_timeout = 0")
+            cursor.execute(
+                "SELECT pg_advisory_lock(%s, %s)", [OURS, zlib.crc32(work.encode()) >> 1]
+            )
+            yield
+    finally:
+        own.close()
+
+
+@contextmanager
+def _locked_file(path: Path) -> Iterator[None]:
+    with path.open("ab") as file:
+        fcntl.flock(file, fcntl.LOCK_EX)
+        yield
