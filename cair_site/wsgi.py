@@ -1,5 +1,6 @@
 """The WSGI application: content is loaded here, before the workers are forked."""
 
+import gc
 import os
 
 from django.core.wsgi import get_wsgi_application
@@ -19,3 +20,6 @@ preload()
 # The first call of a fresh worker would else import the whole site.
 _ = get_resolver().url_patterns
 connections.close_all()
+# Collections would write to every page of the content, and each worker get a copy of its own.
+gc.collect()
+gc.freeze()
