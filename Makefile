@@ -46,6 +46,27 @@ cluster: .venv/installed-bench cluster-programs ## PostgreSQL, three nodes and H
 test-cluster: .venv/installed-bench cluster-programs ## Break a cluster in every way under load: docs/operations/cluster-trial.md
 	$(BIN)/python -m cluster.trial $(ARGS)
 
+EXAMPLES ?= 10
+SECONDS_EACH ?= 120
+
+.venv/installed-fuzz: .venv/installed requirements-fuzz.txt
+	$(PYTHON) -m venv .venv/fuzz
+	.venv/fuzz/bin/python -m pip install --quiet --disable-pip-version-check -r requirements-fuzz.txt
+	@touch $@
+
+.PHONY: fuzz fuzz-api fuzz-readers
+fuzz-api: .venv/installed-fuzz ## The API held to its own schema, on a gunicorn of its own; EXAMPLES=10 a call
+	$(BIN)/python -m tests.fuzz.live --examples $(EXAMPLES) $(ARGS)
+
+fuzz-readers: .venv/installed-fuzz ## Atheris on what strangers send; SECONDS_EACH=120, findings in var/fuzz
+	@for target in state codec trigger library body owl; do \
+	  .venv/fuzz/bin/python -m tests.fuzz.coverage_guided $$target -max_total_time=$(SECONDS_EACH) || exit 1; done
+
+fuzz: fuzz-readers ## All fuzzing, longer: readers, sentences, talks, the API
+	FUZZ_EXAMPLES=3000 $(BIN)/python -m pytest -q tests/fuzz/test_readers.py tests/fuzz/test_sentences.py
+	FUZZ_EXAMPLES=500 $(BIN)/python -m pytest -q tests/fuzz/test_talks.py
+	$(MAKE) fuzz-api EXAMPLES=300
+
 ROS_PACKAGES = catkin g++ ros-message-generation ros-std-msgs ros-std-srvs python3-rospy python3-roslaunch \
 	python3-rosservice python3-rostopic python3-std-msgs python3-std-srvs
 
@@ -88,7 +109,8 @@ format: .venv/installed-dev ## Format the code
 	$(BIN)/ruff format .
 	$(BIN)/ruff check --fix .
 
-bench: .venv/installed ## Figures of docs/figures.md
+bench: .venv/installed-bench ## What each part costs now, beside the recorded figures; those of docs/figures.md
+	$(BIN)/python -m benchmarks.micro $(ARGS)
 	$(BENCH)/state_size.py
 	$(BENCH)/keywords.py
 	$(BENCH)/tree.py
