@@ -117,6 +117,13 @@ bench: .venv/installed-bench ## What each part costs now, beside the recorded fi
 	$(BENCH)/tree.py --frames-per-class 0
 	$(BENCH)/turn.py
 
+.PHONY: bench-growth bench-servers
+bench-growth: .venv/installed-bench ## docs/performance/growth.svg: cost against topics, sentences, intents, turns
+	$(BIN)/python -m benchmarks.growth $(ARGS)
+
+bench-servers: .venv/installed-bench ## The same application on different servers, with and without stalled clients
+	$(BIN)/python -m benchmarks.servers $(ARGS)
+
 .PHONY: bench-matching
 bench-matching: .venv/installed-bench ## Figures of docs/matching.md, beside hassil; ARGS=--quick for a short run
 	$(BIN)/python -m benchmarks.matching $(ARGS)

@@ -51,7 +51,6 @@ SERVERS = (
     Server("gunicorn, 64 threads", f"{GUNICORN} --threads 64"),
     Server("gunicorn, sync", f"{GUNICORN} --worker-class sync --threads 1"),
     Server("gunicorn, sync, 4 workers", f"{GUNICORN} --worker-class sync --threads 1 --workers 4"),
-    Server("gunicorn, gevent", f"{GUNICORN} --worker-class gevent", "gevent"),
     Server("granian, WSGI", GRANIAN, "granian"),
 )
 

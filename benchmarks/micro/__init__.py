@@ -1,0 +1,1 @@
+"""What each part of a turn costs, as a ratio to a fixed piece of work measured beside it."""
