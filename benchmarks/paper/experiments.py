@@ -35,7 +35,7 @@ FULL = Plan(30, 0.5, 30, 5, 1.0, 1.35, 40.0, 6, 1)
 FIRST = {
     ("baseline", BURST): 20,
     ("baseline", SPREAD): 150,
-    ("cair", BURST): 400,
+    ("cair", BURST): 700,
     ("cair", SPREAD): 4_000,
 }
 
