@@ -1,5 +1,6 @@
 """check_content: the lints beside the errors, on a small folder and on what is shipped."""
 
+import re
 from io import StringIO
 from pathlib import Path
 from shutil import copytree
@@ -55,11 +56,11 @@ def test_an_error_seeded_into_the_shipped_content_is_caught(tmp_path: Path) -> N
     folder = tmp_path / "content"
     copytree(SHIPPED, folder)
     file = folder / "animal.yaml"
-    good = "en: Do you enjoy the company of $hasName?"
-    text = file.read_text(encoding="utf-8")
-    assert text.count(good) == 1
-    bad = "en: When I was a child, did you enjoy the a company of $hasName?"
-    file.write_text(text.replace(good, bad), encoding="utf-8")
+    bad = "When I was a child, did you enjoy the a company of $hasName?"
+    question = re.compile(r"(- id: PetAnimal\n.*?    q2:\n      en: )[^\n]*", re.DOTALL)
+    text, count = question.subn(lambda found: found[1] + bad, file.read_text(encoding="utf-8"))
+    assert count == 1
+    file.write_text(text, encoding="utf-8")
     seeded, shipped = (
         {(one.code, one.where) for one in lint(corpus_of(base.knowledge, base.tree))}
         for base in (build_base(read_folder(path).base) for path in (folder, SHIPPED))
