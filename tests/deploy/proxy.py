@@ -74,6 +74,13 @@ class Service:
         """Return the lines of the proxy's log."""
         return [json.loads(line) for line in self.log.read_text().splitlines()]
 
+    def next_line(self, before: int) -> dict[str, Any]:
+        """Return the line after the first `before` ones; nginx writes it after its answer."""
+        until = time.monotonic() + 10
+        while len(self.lines()) <= before and time.monotonic() < until:
+            time.sleep(0.05)
+        return self.lines()[before]
+
 
 def environment_of(var: Path) -> dict[str, str]:
     unset = ("CAIR_", "DATABASE_", "DJANGO_", "PROMETHEUS_")
