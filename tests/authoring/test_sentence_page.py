@@ -66,7 +66,7 @@ def field(key: str, language: str) -> str:
         ("Drink.q1", "en", "Do\x1b you?", "Remove the invisible control character"),
         ("Drink.q1", "en", "a" * 401, "at most 400 characters (it has 401)"),
         ("start.1", "en", "Hello $hasName.", "This pool does not know $hasName."),
-        ("begin.1", "en", "Take $toName.one.", "It cannot be said of Tea: This topic has no"),
+        ("begin.1", "en", "Take $toName.one.", ": This topic has no $toName.one"),
     ],
 )
 def test_what_cannot_be_said_is_refused_at_its_language(
