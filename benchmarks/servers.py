@@ -23,7 +23,6 @@ from typing import NamedTuple
 from tqdm import tqdm
 
 from benchmarks.paper.__main__ import prepared
-from benchmarks.paper.content import ROOT
 from benchmarks.paper.load import Load, Target, allow_many_sockets, request
 from benchmarks.paper.prepare import VARIABLES
 from benchmarks.paper.servers import HOST, environment, free_port, process, wait
@@ -172,5 +171,4 @@ def main() -> None:
 
 
 if __name__ == "__main__":
-    sys.path.insert(0, str(ROOT))
     main()

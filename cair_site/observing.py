@@ -1,6 +1,6 @@
 """The first and last hand on every request: its id, its counts, its line in the log if any.
 
-For a turn this costs some microseconds (docs/figures.md): no lock is held, nothing is written.
+For a turn this costs some microseconds (docs/performance.md): no lock is held, nothing is written.
 """
 
 import logging

@@ -15,7 +15,7 @@ from typing import NamedTuple
 
 from benchmarks.micro.site import VARIABLES
 from benchmarks.paper.content import ROOT
-from benchmarks.paper.servers import HOST, WORKERS, free_port
+from benchmarks.paper.servers import HOST, WORKERS, environment, free_port
 
 HUB = "/api/v1/hub/"
 PATIENCE = 60.0
@@ -23,7 +23,6 @@ PAUSE = 0.005
 #: A full collection of garbage, which touches all content, has then come to every worker.
 TURNS_EACH = 600
 BATCH, MOST_BATCHES = 200, 30
-_OURS = ("CAIR_", "DATABASE_", "DJANGO_")
 _TICKS = os.sysconf("SC_CLK_TCK")
 
 
@@ -53,14 +52,13 @@ def start(published: Path, folder: Path) -> Server:
     """Start gunicorn as configured, over a copy of a published folder."""
     shutil.copytree(published, folder / "var")
     port = free_port()
-    kept = {name: value for name, value in os.environ.items() if not name.startswith(_OURS)}
     command = [sys.executable, "-m", "gunicorn", "--config", "cair_site/gunicorn_conf.py"]
     command += ["--bind", f"{HOST}:{port}", "--workers", str(WORKERS)]
     with (folder / "log").open("wb") as log:
         process = subprocess.Popen(
             command,
             cwd=ROOT,
-            env=kept | VARIABLES | {"CAIR_VAR": str(folder / "var"), "CAIR_POLL_SECONDS": "1"},
+            env=environment(**VARIABLES, CAIR_VAR=str(folder / "var"), CAIR_POLL_SECONDS="1"),
             stdout=log,
             stderr=log,
             stdin=subprocess.DEVNULL,

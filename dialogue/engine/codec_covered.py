@@ -1,6 +1,6 @@
 """Columns of a state cut down to the covered topics, and spread over all topics again.
 
-Covered topics come in runs, so whole runs are copied: all columns at once, interleaved.
+Covered topics mostly come in runs, so whole runs are copied: all columns at once, interleaved.
 """
 
 import re
@@ -8,6 +8,7 @@ from collections.abc import Sequence
 
 _RUN = re.compile(rb"\0*([^\0]+)")
 _DIGITS = re.compile("0*(1+)")
+_RUN_COSTS = 20
 
 
 def gathered(columns: Sequence[bytes], cover: bytes, count: int) -> list[bytes]:
@@ -26,7 +27,8 @@ def spread(columns: Sequence[bytes], presence: str, count: int) -> list[bytes]:
     """Return the columns with a zero for each topic whose digit of `presence` is "0"."""
     if count == len(presence):
         return list(columns)
-    if 2 * count < len(presence):
+    # To copy a run costs as much as to write some twenty values one by one.
+    if _RUN_COSTS * presence.count("01") > count * len(columns):
         form = presence.encode("ascii").replace(b"0", b"\0").replace(b"1", b"%c")
         return [form % tuple(column) for column in columns]
     width, at = len(columns), 0
