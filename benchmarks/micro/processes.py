@@ -58,7 +58,9 @@ def start(published: Path, folder: Path) -> Server:
         process = subprocess.Popen(
             command,
             cwd=ROOT,
-            env=environment(**VARIABLES, CAIR_VAR=str(folder / "var"), CAIR_POLL_SECONDS="1"),
+            env=environment(
+                **VARIABLES | {"CAIR_VAR": str(folder / "var"), "CAIR_POLL_SECONDS": "1"}
+            ),
             stdout=log,
             stderr=log,
             stdin=subprocess.DEVNULL,
