@@ -118,11 +118,11 @@ class _Compiler:
         return _variable_part(piece["variable"], self._place(position))
 
     def _literal(self, text: str, position: int) -> str:
-        letters = [
-            capital(letter) if position + offset in self.starts else letter
-            for offset, letter in enumerate(text)
-        ]
-        return "".join(letters)
+        for start in sorted(self.starts, reverse=True):
+            at = start - position
+            if 0 <= at < len(text):
+                text = text[:at] + capital(text[at:])
+        return text
 
     def _name(self, name: str, form: str, position: int) -> Part:
         if form and form not in self.form_names:

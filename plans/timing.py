@@ -15,18 +15,22 @@ DECODE, MATCH, DIALOGUE, ENCODE = "decode", "match", "dialogue", "encode"
 _laps: ContextVar[dict[str, float] | None] = ContextVar("laps", default=None)
 
 
-@contextmanager
-def lap(name: str) -> Iterator[None]:
-    """Count the time of what runs inside as a part of the answer being made, if one is."""
-    laps = _laps.get()
-    if laps is None:
-        yield
-        return
-    began = time.perf_counter()
-    try:
-        yield
-    finally:
-        laps[name] = laps.get(name, 0.0) + time.perf_counter() - began
+class lap:  # noqa: N801 (used like a function: `with lap(MATCH):`)
+    """Counts the time of what runs inside as a part of the answer being made, if one is."""
+
+    __slots__ = ("_began", "_laps", "_name")
+
+    def __init__(self, name: str) -> None:
+        self._name = name
+
+    def __enter__(self) -> None:
+        self._laps = _laps.get()
+        self._began = time.perf_counter()
+
+    def __exit__(self, *_error: object) -> None:
+        laps = self._laps
+        if laps is not None:
+            laps[self._name] = laps.get(self._name, 0.0) + time.perf_counter() - self._began
 
 
 @contextmanager

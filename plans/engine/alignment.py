@@ -48,44 +48,52 @@ def align(
     machine: Automaton, words: tuple[str, ...], others: tuple[int, ...], errors: Errors
 ) -> Alignment | None:
     """Return the reading with the fewest errors, or None where `errors.most` do not suffice."""
-    reads = [machine.reading(word, other) for word, other in zip(words, others, strict=True)]
-    levels = _levels(machine, reads, errors)
-    if levels is None:
+    found = _levels(machine, words, others, errors)
+    if found is None:
         return None
+    levels, reads = found
     for used, mask in enumerate(levels[-1]):
         if mask & machine.accept:
             return _Trace(machine, reads, levels, errors).back(used)
     return None
 
 
-def _levels(machine: Automaton, reads: list[int], errors: Errors) -> list[list[int]] | None:
-    """Return after each unit the positions reached with 0, 1, ... errors."""
-    ahead = machine.ahead
+def _levels(
+    machine: Automaton, words: tuple[str, ...], others: tuple[int, ...], errors: Errors
+) -> tuple[list[list[int]], list[int]] | None:
+    """Return after each unit the positions reached with 0, 1, ... errors, and what read each unit.
+
+    None as soon as nothing is reached any more, which for most triggers is soon.
+    """
+    ahead, kinds, read_by = machine.ahead, machine.kinds, machine.reads
     wrong = machine.literal if errors.wrong else 0
     staying = _staying(machine) if errors.extra else 0
-    current = [machine.start] + [0] * errors.most
     out = _left_out(machine, errors)
-    _leave_out(machine, current, out)
-    levels = [current]
-    for read in reads:
-        after: list[int] = []
-        for used, mask in enumerate(current):
-            reached = ahead(mask) & read
-            if used:
-                reached |= ahead(current[used - 1]) & wrong | current[used - 1] & staying
+    more = range(1, errors.most + 1)
+    current = [machine.start] + [0] * errors.most
+    for used in more if out else ():
+        current[used] = ahead[current[used - 1]] & out
+    levels, reads = [current], []
+    for word, other in zip(words, others, strict=True):
+        read = read_by[kinds.get(word, other)]
+        fewer = current[0]
+        before = ahead[fewer]
+        reached = before & read
+        after, any_reached = [reached], reached
+        for used in more:
+            left_out = ahead[reached] & out if out else 0
+            reached = fewer & staying | before & wrong | left_out
+            fewer = current[used]
+            before = ahead[fewer]
+            reached |= before & read
             after.append(reached)
-        if out:
-            _leave_out(machine, after, out)
-        if not any(after):
+            any_reached |= reached
+        if not any_reached:
             return None
         levels.append(after)
+        reads.append(read)
         current = after
-    return levels
-
-
-def _leave_out(machine: Automaton, masks: list[int], out: int) -> None:
-    for used in range(1, len(masks)):
-        masks[used] |= machine.ahead(masks[used - 1]) & out
+    return levels, reads
 
 
 def _left_out(machine: Automaton, errors: Errors) -> int:

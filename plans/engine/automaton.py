@@ -7,6 +7,7 @@ kept as rows of a deterministic machine, built on first use, so a known word cos
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass, field
 from itertools import chain
+from typing import NamedTuple
 
 OTHER = 0
 DIGITS = 1
@@ -57,11 +58,14 @@ class Draft:
 
     def chain(self, words: tuple[str, ...], slot: str = "") -> "Piece":
         """Add words one after another."""
-        total = EMPTY
-        for word in words:
-            bit = self.add(word, slot)
-            total = self.join(total, Piece(bit, bit, empty=False))
-        return total
+        if not words:
+            return EMPTY
+        first, last = len(self.words), len(self.words) + len(words) - 1
+        self.words += words
+        self.slots += [slot] * len(words)
+        self.follow += [1 << position + 1 for position in range(first, last)]
+        self.follow.append(0)
+        return Piece(1 << first, 1 << last, empty=False)
 
     def join(self, left: "Piece", right: "Piece") -> "Piece":
         """Return the piece that reads `left`, then `right`."""
@@ -74,8 +78,7 @@ class Draft:
         )
 
 
-@dataclass(frozen=True, slots=True)
-class Piece:
+class Piece(NamedTuple):
     """A part of a trigger: where it can begin and end, and whether it can be left out."""
 
     first: int
@@ -120,27 +123,45 @@ class _Row(dict[int, "_Row"]):
         return row
 
 
+class _Ahead(dict[int, int]):
+    """The positions that can come right after one of a set, found when first asked for."""
+
+    __slots__ = ("_follow",)
+
+    def __init__(self, follow: tuple[int, ...]) -> None:
+        super().__init__()
+        self._follow = follow
+
+    def __missing__(self, mask: int) -> int:
+        reached = _following(self._follow, mask)
+        if len(self) < _MOST_ROWS:
+            self[mask] = reached
+        return reached
+
+
 class Automaton:
     """Reads the words of a sentence; what it learns about rows is its only change.
 
-    `start` is the bit of the place before the first word; `before[position]` are the bits that can
-    come right before a position; `literal` are the positions of words outside slots.
+    `start` is the bit of the place before the first word; `ahead[bits]` are the positions that can
+    come right after these; `literal` are the positions of words outside slots;
+    `reads[kinds.get(word, other)]` are the positions that read a word, `other` being its kind where
+    the trigger does not know it.
     """
 
     __slots__ = (
-        "_ahead",
+        "_before",
         "_dead",
         "_first",
         "_follow",
         "_order",
-        "_reads",
         "_rows",
         "_start",
         "accept",
-        "before",
+        "ahead",
         "free",
         "kinds",
         "literal",
+        "reads",
         "slots",
         "start",
         "words",
@@ -154,15 +175,15 @@ class Automaton:
         self.free = draft.free
         self._follow = (*draft.follow, whole.first)
         self._first = whole.first
-        self._ahead: dict[int, int] = {}
+        self.ahead = _Ahead(self._follow)
         self.kinds = {
             word: _FIRST_WORD + number
             for number, word in enumerate(
                 dict.fromkeys(filter(None, chain(draft.words, *draft.closed.values())))
             )
         }
-        self._reads = _reads(draft, self.kinds)
-        self.before = _before(self._follow)
+        self.reads = _reads(draft, self.kinds)
+        self._before: tuple[int, ...] = ()
         self._order = _order(draft)
         self.literal = self._order[0]
         self._dead = _Row(self, 0)
@@ -174,33 +195,23 @@ class Automaton:
         """Say whether no more rows are kept (the time stays linear without them)."""
         return len(self._rows) >= _MOST_ROWS
 
+    @property
+    def before(self) -> tuple[int, ...]:
+        """Return the bits that can come right before each position; only what fits asks for it."""
+        if not self._before:
+            self._before = _before(self._follow)
+        return self._before
+
     def row_after(self, mask: int, kind: int) -> _Row:
         """Return the row reached from a set of positions by a kind of word."""
-        reached = 0 if mask else self._first
-        for position in bits(mask):
-            reached |= self._follow[position]
-        reached &= self._reads[kind]
+        reached = _following(self._follow, mask) if mask else self._first
+        reached &= self.reads[kind]
         row = self._rows.get(reached)
         if row is None:
             row = _Row(self, reached)
             if not self.full:
                 self._rows[reached] = row
         return row
-
-    def ahead(self, mask: int) -> int:
-        """Return every position that can come right after one of `mask`."""
-        reached = self._ahead.get(mask)
-        if reached is None:
-            reached = 0
-            for position in bits(mask):
-                reached |= self._follow[position]
-            if len(self._ahead) < _MOST_ROWS:
-                self._ahead[mask] = reached
-        return reached
-
-    def reading(self, word: str, other: int) -> int:
-        """Return the positions that read a word; `other` is its kind where it is unknown."""
-        return self._reads[self.kinds.get(word, other)]
 
     def read(self, words: tuple[str, ...], others: tuple[int, ...]) -> list[int] | None:
         """Return the position that reads each word, or None where the sentence does not fit.
@@ -233,6 +244,13 @@ class Automaton:
         """Return the latest position of the best kind: of equal words the one nearer to the end."""
         best = next((mask & preferred for preferred in self._order if mask & preferred), mask)
         return best.bit_length() - 1
+
+
+def _following(follow: tuple[int, ...], mask: int) -> int:
+    reached = 0
+    for position in bits(mask):
+        reached |= follow[position]
+    return reached
 
 
 def _reads(draft: Draft, kinds: Mapping[str, int]) -> dict[int, int]:

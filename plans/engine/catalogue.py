@@ -111,6 +111,12 @@ class Catalogue:
         for matcher in self.matchers.get(language, ()):
             matcher.forget()
 
+    def prepare(self) -> None:
+        """Build now what is else built when a sentence needs it: forked workers then share it."""
+        for matchers in self.matchers.values():
+            for matcher in matchers:
+                matcher.prepare()
+
     def _match_strictly(self, sentence: str, language: str) -> IntentMatch | None:
         whole = self._match_whole(sentence, language, Way.WORDS)
         if whole is None:

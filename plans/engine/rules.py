@@ -57,6 +57,12 @@ def breaches(
     size = expansions(sequence, phrases)
     if size > MOST_EXPANSIONS:
         yield Breach(f"{size} wordings, more than {MOST_EXPANSIONS}")
+    if sum(isinstance(part, SlotUse) for part in parts_of(sequence)) > 1:
+        yield from _slots_together(sequence, slots)
+
+
+def _slots_together(sequence: Sequence, slots: Mapping[str, Slot]) -> Iterator[Breach]:
+    """Yield the rules that only several slots in one trigger can break."""
     if _edges_of(sequence, slots).meet:
         yield Breach("Two free slots without a word between them")
     uses = _uses(sequence)

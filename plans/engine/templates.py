@@ -1,7 +1,7 @@
 """A trigger ready for matching: its index keys, and its machine built on first use."""
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from languages.spoken.shape import Spoken, SpokenKind
 from plans.engine.automaton import EMPTY, Automaton, Draft, Piece, either
@@ -15,13 +15,17 @@ _WINDOW = 3
 
 @dataclass(frozen=True, slots=True)
 class Lexicon:
-    """What the triggers of one language refer to; `units` cuts text as sentences are cut."""
+    """What the triggers of one language refer to; `units` cuts text as sentences are cut.
+
+    `clauses` remembers those of phrases and lists, which many triggers share.
+    """
 
     spaced: bool
     units: Callable[[str], Units]
     phrases: Mapping[str, Sequence]
     values: Mapping[str, Mapping[Units, str]]
     spoken: Spoken
+    clauses: dict[str, tuple[Clause, ...]] = field(default_factory=dict, repr=False, compare=False)
 
 
 class Template:
@@ -105,13 +109,28 @@ def _part_clauses(part: Part, lexicon: Lexicon, slots: Mapping[str, Slot]) -> tu
     if isinstance(part, Word):
         return _word_clauses(lexicon.units(part.text), lexicon)
     if isinstance(part, PhraseUse):
-        return _clauses(lexicon.phrases[part.name], lexicon, slots)
+        return _remembered(f"<{part.name}>", part, lexicon, slots)
     if isinstance(part, SlotUse):
-        listed = lexicon.values.get(slots[part.name].list_key, {})
-        return _any_of([_word_clauses(words, lexicon) for words in listed])
+        return _remembered(slots[part.name].list_key, part, lexicon, slots)
     if not part.optional:
         return _any_of([_clauses(option, lexicon, slots) for option in part.options])
     return ()
+
+
+def _remembered(
+    name: str, part: PhraseUse | SlotUse, lexicon: Lexicon, slots: Mapping[str, Slot]
+) -> tuple[Clause, ...]:
+    """Return the clauses of a phrase (which holds no slot) or of a list, found only once."""
+    found = lexicon.clauses.get(name)
+    if found is None:
+        if isinstance(part, PhraseUse):
+            found = _clauses(lexicon.phrases[part.name], lexicon, slots)
+        else:
+            found = _any_of(
+                [_word_clauses(words, lexicon) for words in lexicon.values.get(name, {})]
+            )
+        lexicon.clauses[name] = found
+    return found
 
 
 def _word_clauses(units: Units, lexicon: Lexicon) -> tuple[Clause, ...]:

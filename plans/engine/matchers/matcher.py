@@ -55,6 +55,10 @@ class Matcher(Protocol):
         """Keep nothing of what was said: the turn is over."""
         ...
 
+    def prepare(self) -> None:
+        """Build now what is else built when the first sentence needs it."""
+        ...
+
 
 @dataclass(frozen=True, slots=True)
 class NearMiss:

@@ -36,7 +36,7 @@ class TriggerIndex:
     One without clauses is never found.
     """
 
-    __slots__ = ("_entries", "templates")
+    __slots__ = ("_entries", "_every", "templates")
 
     def __init__(
         self,
@@ -56,6 +56,13 @@ class TriggerIndex:
                     for other in second:
                         inner.setdefault(other, []).append(entry)
         self._entries = entries
+        #: The same without the second keys: each trigger once under each key of its rarest clause.
+        self._every = {
+            key: tuple(
+                {entry.number: entry for entry in chain.from_iterable(inner.values())}.values()
+            )
+            for key, inner in entries.items()
+        }
 
     def possible(self, keys: Set[str]) -> list[Template]:
         """Return the triggers whose every clause is in the sentence, as the library has them."""
@@ -78,12 +85,17 @@ class TriggerIndex:
     def nearly(self, keys: Set[str], most: int) -> list[Template]:
         """Return up to `most` triggers of words that miss one clause, not the most telling."""
         found: dict[int, tuple[int, int]] = {}
-        for key in keys & self._entries.keys():
-            for needs, others, number in chain.from_iterable(self._entries[key].values()):
+        for key in keys & self._every.keys():
+            for needs, others, number in self._every[key]:
                 missing = len(needs - keys)
-                if missing <= 1:
-                    missing += sum([clause.isdisjoint(keys) for clause in others])
-                if missing <= 1:
+                if missing > 1:
+                    continue
+                for clause in others:
+                    if clause.isdisjoint(keys):
+                        missing += 1
+                        if missing > 1:
+                            break
+                else:
                     found[number] = (missing - len(self.templates[number].clauses), number)
         near = nsmallest(most, found, key=found.__getitem__)
         return [self.templates[number] for number in near]

@@ -66,6 +66,13 @@ class PatternMatcher:
         """Keep nothing of what was said: the turn is over."""
         self._heard.clear()
 
+    def prepare(self) -> None:
+        """Build all machines and tables now."""
+        for template in self.knowledge.index.templates:
+            _ = template.machine
+        if self.knowledge.near is not None:
+            self.knowledge.near.prepare()
+
     def words(self, sentence: str) -> tuple[str, ...]:
         """Return the words as they are read: small letters, accents as in the triggers."""
         hearing = self._hear(sentence)

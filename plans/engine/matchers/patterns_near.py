@@ -5,6 +5,7 @@ from collections import defaultdict
 from collections.abc import Callable, Iterable, Set
 from functools import cache, partial
 from heapq import nlargest
+from itertools import islice
 
 from plans.engine.matchers.patterns_index import TriggerIndex
 from plans.engine.templates import Clause, Template
@@ -47,10 +48,19 @@ class NearTriggers:
 
         `keys` are those of the plain sentence.
         """
+        return self._in_haste().possible(keys)[:most]
+
+    def prepare(self) -> None:
+        """Make both tables now instead of at first use."""
+        self._in_haste()
+        self._shared()
+
+    def _in_haste(self) -> TriggerIndex:
+        """Return the index of the triggers as `plain` has them; made at first use."""
         if self._alike is None:
             heard = cache(plain)
             self._alike = TriggerIndex(self._index.templates, partial(_plain_clauses, heard))
-        return self._alike.possible(keys)[:most]
+        return self._alike
 
     def sharing(self, run: str, keys: Set[str], most: int) -> list[Template]:
         """Return up to `most` triggers that share most with a sentence, rare pairs before common.
@@ -65,8 +75,8 @@ class NearTriggers:
             for number in numbers:
                 scores[number] += worth
         ranked = nlargest(_FACTOR * most, scores, key=scores.__getitem__)
-        near = [templates[number] for number in ranked if _damaged(templates[number], keys)]
-        return near[:most]
+        near = (templates[number] for number in ranked if _damaged(templates[number], keys))
+        return list(islice(near, most))
 
     def _shared(self) -> dict[str, list[int]]:
         """Return the triggers, by number, that have a pair of characters; made at first use."""
@@ -90,5 +100,10 @@ def _plain_clauses(heard: Callable[[str], str], template: Template) -> tuple[Cla
 
 def _damaged(template: Template, keys: Set[str]) -> bool:
     """Say whether one error is enough for the clauses a sentence lacks."""
-    missing = sum(clause.isdisjoint(keys) for clause in template.clauses)
-    return missing <= _MOST_DAMAGED
+    missing = 0
+    for clause in template.clauses:
+        if clause.isdisjoint(keys):
+            missing += 1
+            if missing > _MOST_DAMAGED:
+                return False
+    return True

@@ -7,6 +7,7 @@ from plans.engine.matchers.candidates import Fit, aligned_fit, candidate_of
 from plans.engine.matchers.matcher import Candidate
 from plans.engine.matchers.patterns_faults import faults_of
 from plans.engine.matchers.patterns_hearing import Hearing, Knowledge
+from plans.engine.reading import Reading
 from plans.engine.templates import Template
 from plans.engine.vocabulary import one_edit_apart
 
@@ -27,18 +28,22 @@ _SOFTENER = ("け", "ど")
 def suggested(hearing: Hearing, known: Knowledge) -> Iterator[Candidate]:
     """Yield what the sentence may have been meant to say."""
     extra = _EXTRA_WORDS if known.spaced else _EXTRA_CHARACTERS
+    ranges = known.edges.widest_and_shortest(hearing.reading.units)
     for template in hearing.possible[:_MOST_TEMPLATES]:
-        yield from _aligned(hearing, template, extra, known)
+        yield from _aligned(hearing.reading, ranges, template, extra, known)
     if known.spaced:
         for template in known.index.nearly(hearing.keys, _MOST_NEAR):
-            yield from _aligned(hearing, template, _ONE_WORD, known)
+            yield from _aligned(hearing.reading, ranges, template, _ONE_WORD, known)
 
 
 def _aligned(
-    hearing: Hearing, template: Template, errors: Errors, known: Knowledge
+    reading: Reading,
+    ranges: list[tuple[int, int]],
+    template: Template,
+    errors: Errors,
+    known: Knowledge,
 ) -> Iterator[Candidate]:
-    reading = hearing.reading
-    for first, last in known.edges.widest_and_shortest(reading.units):
+    for first, last in ranges:
         units, others = reading.units[first:last], reading.others[first:last]
         alignment = align(template.machine, units, others, errors)
         if alignment is None:

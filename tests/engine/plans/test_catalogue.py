@@ -246,3 +246,16 @@ def test_a_listed_value_alone_is_a_request_where_its_author_says_so() -> None:
         match = alone.match(sentence, language)
         assert match is not None
         assert match.parameters == {"level": "louder"}
+
+
+def test_a_prepared_catalogue_builds_nothing_while_it_matches(
+    monkeypatch: pytest.MonkeyPatch,
+) -> None:
+    sentences = (("play Yesterday", "en"), ("pplay Yesterday", "en"), ("音楽をかけて", "ja"))
+    expected = [(ROBOT.match(*said), ROBOT.suggest(*said)) for said in sentences]
+    prepared = robot()
+    prepared.prepare()
+    monkeypatch.setattr("plans.engine.templates.Automaton", None)
+    monkeypatch.setattr("plans.engine.matchers.patterns_near.TriggerIndex", None)
+    assert [(prepared.match(*said), prepared.suggest(*said)) for said in sentences] == expected
+    assert any(match for match, _ in expected)

@@ -94,6 +94,9 @@ class Table:
     def forget(self) -> None:
         """Nothing is kept."""
 
+    def prepare(self) -> None:
+        """There is nothing to build."""
+
 
 def with_table() -> Catalogue:
     table: Matcher = Table({"abracadabra": LIBRARY.intents[4], "play some music": PLAYSONG})
