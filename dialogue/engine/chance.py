@@ -11,7 +11,7 @@ Item = TypeVar("Item")
 
 def draw(options: Sequence[tuple[Item, float]], chance: Random) -> Item | None:
     """Return one option, drawn by weight; None where no weight is above zero."""
-    total = sum(weight for _, weight in options)
+    total = sum([weight for _, weight in options])
     if total <= 0:
         return None
     point = chance.random() * total

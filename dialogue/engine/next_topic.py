@@ -4,7 +4,7 @@ from collections.abc import Iterable, Sequence
 from typing import NamedTuple
 
 from dialogue.engine.chance import draw
-from dialogue.engine.people import is_about_people
+from dialogue.engine.people import unspoken_people
 from dialogue.engine.tree import Node
 from dialogue.engine.turn import Turn
 
@@ -91,11 +91,7 @@ def _down_to_a_concept(turn: Turn, node: Node) -> Node:
 
 
 def _draw_topic(turn: Turn, numbers: Sequence[int], what: str) -> Node | None:
-    options = [
-        (node, weight)
-        for number in numbers
-        if (node := turn.content.tree.node(number)) and (weight := _weight(turn, node))
-    ]
+    options = _weighed(turn, numbers)
     chosen = draw(options, turn.chance)
     if options and turn.heard.explain:
         likely = [(node, turn.likeliness(node)) for node, _ in options]
@@ -103,23 +99,24 @@ def _draw_topic(turn: Turn, numbers: Sequence[int], what: str) -> Node | None:
     return chosen
 
 
-def _weight(turn: Turn, node: Node) -> float:
-    """Return how willingly the agent proposes a topic now; 0 keeps it out.
+def _weighed(turn: Turn, numbers: Iterable[int]) -> list[tuple[Node, float]]:
+    """Return the topics that may be proposed now, with how willingly.
 
     The square of likeliness, so that what is at home somewhere comes up there most of the time.
+    A class may have hundreds of topics, so what is the same for all of them is looked up once.
     """
-    state = turn.state
-    if node.gentle or node.number in state.topics or state.language not in node.names:
-        return 0.0
-    if state.avoided and state.avoids((node.number, *node.ancestors)):
-        return 0.0
-    likeliness = turn.likeliness(node)
-    if likeliness <= LEAST_LIKELINESS or _would_bring_up_people(turn, node):
-        return 0.0
-    covered = node.is_leaf and state.used_slots(node.number)
-    return likeliness**2 * (ALREADY_COVERED if covered else 1.0)
-
-
-def _would_bring_up_people(turn: Turn, node: Node) -> bool:
-    """Say whether the agent would speak of wives or brothers to someone who did not."""
-    return is_about_people(turn, node) and not (turn.node and is_about_people(turn, turn.node))
+    state, nodes = turn.state, turn.content.tree.nodes
+    started, people = frozenset(state.topics), unspoken_people(turn)
+    options = []
+    for number in numbers:
+        node = nodes.get(number)
+        if node is None or node.gentle or number in started or state.language not in node.names:
+            continue
+        path = (number, *node.ancestors)
+        if people in path or (state.avoided and state.avoids(path)):
+            continue
+        likeliness = turn.likeliness(node)
+        if likeliness > LEAST_LIKELINESS:
+            covered = node.is_leaf and state.used_slots(number)
+            options.append((node, likeliness**2 * (ALREADY_COVERED if covered else 1.0)))
+    return options

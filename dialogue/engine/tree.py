@@ -95,7 +95,7 @@ class Tree:
     def siblings(self, node: Node) -> tuple[int, ...]:
         """Return the other children of the topic's parent."""
         around = self.nodes[node.parent].children if node.parent else self.branches
-        return tuple(number for number in around if number != node.number)
+        return tuple([number for number in around if number != node.number])
 
     def is_same_or_below(self, number: int, above: int) -> bool:
         """Say whether the first topic is the second one or lies below it."""
