@@ -19,7 +19,7 @@ from dialogue.engine.state import MAX_SLOT, MAX_TOPIC, TOPIC_RING, union
 MAX_LEVEL = 11
 MAX_COLUMNS = (MAX_SLOT + 1) // 8
 ROWS_ONLY = 96  # deflate hardly ever wins below
-MAX_ROWS = 512  # rows are never tried above: columns cost less time and, soon, less space
+MAX_ROWS = 512  # rows are never tried above: columns always win there
 
 _NOTHING, _ROWS, _COLUMNS = 0, 1, 2
 _ZERO_OR_ONE = b"0" + b"1" * 255
@@ -40,11 +40,12 @@ def body(levels: bytes, used: Sequence[bytes], started: Sequence[int]) -> bytes:
     if not count:
         return bytes((_NOTHING,)) + _ring(started)
     columns = (levels, *used)
-    rows = _as_rows(cover, columns, started) if count <= MAX_ROWS else b""
     if count <= ROWS_ONLY:
-        return rows
+        return _as_rows(cover, columns, started)
     packed = _as_columns(cover, columns, count, started)
-    return rows if rows and len(rows) < len(packed) else packed
+    if count > MAX_ROWS or _shortest_rows(used, count) >= len(packed):
+        return packed
+    return min(packed, _as_rows(cover, columns, started), key=len)
 
 
 def read_body(reader: Reader, inflated: int) -> Columns:
@@ -120,6 +121,16 @@ def _inflate(data: bytes, largest: int) -> bytes:
     if not unpacker.eof or unpacker.unused_data:
         raise StateError("state.damaged")
     return inflated
+
+
+def _shortest_rows(used: Sequence[bytes], count: int) -> int:
+    """Return how many bytes rows take at the very least: levels, masks, a bit a gap."""
+    presence = (count + 7) // 8
+    length = (count + 1) // 2 + presence
+    for column in used:
+        said = len(column) - column.count(0)
+        length += said + (presence if said < count else 0)
+    return length
 
 
 def _as_rows(cover: bytes, columns: Sequence[bytes], started: Sequence[int]) -> bytes:

@@ -4,12 +4,12 @@ from base64 import urlsafe_b64decode, urlsafe_b64encode
 from random import Random
 
 import pytest
-from hypothesis import example, given, settings
+from hypothesis import assume, example, given, settings
 from hypothesis import strategies as some
 
-from dialogue.engine import codec
+from dialogue.engine import codec, codec_columns
 from dialogue.engine.codec import StateError, decode, encode
-from dialogue.engine.state import MAX_FRAME, MAX_TOPIC, DialogueState, Pending
+from dialogue.engine.state import MAX_FRAME, MAX_TOPIC, DialogueState, Pending, union
 
 KEY = b"the key of this year, secret"
 OLD_KEY = b"the key of last year, secret"
@@ -85,6 +85,19 @@ def test_every_state_comes_back_as_it_was(state, coverage):
 def test_every_share_of_topics_comes_back(share, size, seed):
     state = covered(MRS_SMITH, share, size, Random(seed))
     assert decode(encode(state, [KEY]), [KEY]) == state
+
+
+@given(some.integers(100, 500), some.sampled_from([0.05, 0.2, 0.6, 1.0]), some.integers(0, 99))
+def test_the_shorter_layout_is_written(topics, share, seed):
+    state = covered(MRS_SMITH, share, round(topics / share), Random(seed))
+    columns = (state.levels, *state.used)
+    cover = union(columns).rstrip(b"\0")
+    count = len(cover) - cover.count(0)
+    assume(codec_columns.ROWS_ONLY < count <= codec_columns.MAX_ROWS)
+    packed = codec_columns._as_columns(cover, columns, count, state.topics)
+    rows = codec_columns._as_rows(cover, columns, state.topics)
+    written = codec_columns.body(state.levels, state.used, state.topics)
+    assert written == (rows if len(rows) < len(packed) else packed)
 
 
 def test_masks_of_every_value_come_back():
