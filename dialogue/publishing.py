@@ -233,10 +233,13 @@ def serve(content: Content | None) -> None:
     _served.content = content
 
 
+@collected_later()
 def preload() -> None:
-    """Load the newest publication before the workers are forked, so that they share it."""
+    """Load the newest publication before the workers are forked, so that they share all of it."""
     try:
-        serve(load())
+        content = load()
+        content.catalogue.prepare()
+        serve(content)
     except (NothingPublishedError, DatabaseError, SnapshotError) as error:
         logger.warning("Nothing to serve yet: %s", error)
 

@@ -2,11 +2,13 @@
 
 import json
 import sqlite3
+import subprocess
+import sys
 from collections.abc import Callable
 from contextlib import closing
 from pathlib import Path
 
-from tests.server.conftest import Server, manage, wait_for
+from tests.server.conftest import ROOT, Server, environment, manage, wait_for
 
 Serve = Callable[[Path], Server]
 TURN = b'{"client_sentence": "I love music"}'
@@ -32,6 +34,15 @@ def test_secrets_are_their_owners_alone(own_var: Path) -> None:
     for name in ("cair_secret_key", "cair_state_key"):
         assert len((own_var / name).read_text()) >= 32
         assert (own_var / name).stat().st_mode & 0o077 == 0
+
+
+def test_collections_leave_the_loaded_content_alone(own_var: Path) -> None:
+    told = "import gc, cair_site.wsgi; print(gc.isenabled(), gc.get_freeze_count() > 100_000)"
+    command = [sys.executable, "-c", told]
+    done = subprocess.run(
+        command, cwd=ROOT, env=environment(own_var), capture_output=True, text=True, check=True
+    )
+    assert done.stdout.split() == ["True", "True"]
 
 
 def nothing_is_served(server: Server) -> None:
