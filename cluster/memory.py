@@ -8,10 +8,15 @@ PROC = Path("/proc")
 
 @dataclass(frozen=True, slots=True)
 class Memory:
-    """Bytes: `pss` counts shared pages by shares, `uss` what would be freed if it ended."""
+    """Bytes: `pss` counts shared pages by shares, `uss` what would be freed if it ended.
+
+    `rss` counts all it has, shared or not: a page that is copied because a worker writes to it does
+    not change it, a leak does.
+    """
 
     pss: int
     uss: int
+    rss: int
 
 
 def memory_of(process: int, proc: Path = PROC) -> Memory | None:
@@ -28,6 +33,7 @@ def memory_of(process: int, proc: Path = PROC) -> Memory | None:
     return Memory(
         pss=sizes.get("Pss", 0),
         uss=sizes.get("Private_Clean", 0) + sizes.get("Private_Dirty", 0),
+        rss=sizes.get("Rss", 0),
     )
 
 

@@ -2,6 +2,9 @@
 
 The rate is a share of what the cluster can do, which is measured first. Every minute the memory of
 each process and the times of the turns are written to soak.csv; at the end soak.png and a verdict.
+A leak is looked for in all memory that a process has (RSS). What is its own (USS) grows for a while
+without one: the first write to a page of the shared content copies it, for which the content is the
+bound.
 """
 
 import argparse
@@ -102,9 +105,9 @@ def capacity(cluster: Cluster) -> float:
 
 
 def write_csv(seen: list[Minute], path: Path) -> None:
-    """Write a row for each stretch of time; memory in bytes, PSS and USS of each process."""
+    """Write a row for each stretch of time; memory in bytes, PSS, USS and RSS of each process."""
     names = list(dict.fromkeys(name for one in seen for name in one.memory))
-    kinds = ("pss", "uss")
+    kinds = ("pss", "uss", "rss")
     with path.open("w", encoding="utf-8", newline="") as file:
         writer = csv.writer(file, lineterminator="\n")
         writer.writerow([*COLUMNS, *(f"{name}_{kind}" for name in names for kind in kinds)])
@@ -115,7 +118,7 @@ def write_csv(seen: list[Minute], path: Path) -> None:
             row += [f"{1000 * value:.2f}" for value in times]
             for name in names:
                 memory = one.memory.get(name)
-                row += [memory.pss, memory.uss] if memory else ["", ""]
+                row += [memory.pss, memory.uss, memory.rss] if memory else ["", "", ""]
             writer.writerow(row)
 
 
@@ -125,8 +128,10 @@ def verdicts(seen: list[Minute]) -> list[str]:
     lines = []
     for name in dict.fromkeys(name for one in seen for name in one.memory):
         there = [one for one in seen if name in one.memory]
-        found = trend([one.at for one in there], [float(one.memory[name].uss) for one in there])
-        lines.append(f"memory of {name} (USS): {found.text('MB', MEGA) if found else 'too short'}")
+        found = trend([one.at for one in there], [float(one.memory[name].rss) for one in there])
+        own = there[-1].memory[name].uss / MEGA
+        told = found.text("MB", MEGA) if found else "too short"
+        lines.append(f"memory of {name} (RSS): {told}; {own:.1f} MB of its own at the end")
     for share, values in (
         ("median", [1000 * one.counted.median for one in seen]),
         ("99 %", [1000 * one.counted.p99 for one in seen]),
@@ -151,9 +156,11 @@ def plot(seen: list[Minute], path: Path) -> str:
     figure, (upper, lower) = pyplot.subplots(2, 1, sharex=True, figsize=(9, 7))
     minutes = [one.at / 60 for one in seen]
     for name in dict.fromkeys(name for one in seen for name in one.memory):
-        values = [one.memory[name].uss / MEGA if name in one.memory else None for one in seen]
-        upper.plot(minutes, values, label=name)
-    upper.set_ylabel("memory of its own, USS (MB)")
+        there = [one.memory.get(name) for one in seen]
+        (line,) = upper.plot(minutes, [one and one.rss / MEGA for one in there], label=name)
+        own = [one and one.uss / MEGA for one in there]
+        upper.plot(minutes, own, color=line.get_color(), linestyle=":")
+    upper.set_ylabel("memory (MB): all, RSS; dotted its own, USS")
     upper.set_ylim(bottom=0)
     upper.legend(fontsize="small")
     lower.plot(minutes, [1000 * one.counted.median for one in seen], label="median")

@@ -57,7 +57,7 @@ def test_memory_is_read_from_what_linux_says(tmp_path: Path) -> None:
         "Private_Clean:  100 kB\nPrivate_Dirty:  200 kB\n",
         encoding="ascii",
     )
-    assert memory_of(7, tmp_path) == Memory(pss=500 * 1024, uss=300 * 1024)
+    assert memory_of(7, tmp_path) == Memory(pss=500 * 1024, uss=300 * 1024, rss=900 * 1024)
     assert memory_of(8, tmp_path) is None
 
 
@@ -65,10 +65,14 @@ def test_this_process_is_the_first_of_its_family() -> None:
     assert family(os.getpid())[0] == os.getpid()
 
 
-def minutes(leak: int) -> list[Minute]:
+def minutes(leak: int, copied: int = 0) -> list[Minute]:
     counted = Counted(100, 0, 0, 0.004, 0.02, 0.5)
     return [
-        Minute(at, counted, {"node1.worker1": Memory(0, 100_000_000 + leak * number)})
+        Minute(
+            at,
+            counted,
+            {"node1.worker1": Memory(0, 20_000_000 + copied * number, 100_000_000 + leak * number)},
+        )
         for number, at in enumerate(MINUTES)
     ]
 
@@ -76,9 +80,15 @@ def minutes(leak: int) -> list[Minute]:
 def test_a_verdict_names_what_grows() -> None:
     grown, steady = verdicts(minutes(1_000_000)), verdicts(minutes(0))
     assert grown[0].startswith("memory of node1.worker1")
-    assert grown[0].endswith("GROWS")
+    assert "GROWS; 20.0 MB of its own" in grown[0]
     assert not any("GROWS" in line for line in steady)
     assert steady[-1] == "3000 turns, 0 failed, 0 states did not go on"
+
+
+def test_copies_of_shared_pages_are_no_leak() -> None:
+    told = verdicts(minutes(0, copied=1_000_000))
+    assert not any("GROWS" in line for line in told)
+    assert "49.0 MB of its own at the end" in told[0]
 
 
 def test_a_row_is_written_for_every_minute(tmp_path: Path) -> None:
@@ -87,4 +97,5 @@ def test_a_row_is_written_for_every_minute(tmp_path: Path) -> None:
         rows = list(csv.DictReader(file))
     assert len(rows) == 30
     assert rows[0]["p99_ms"] == "20.00"
-    assert rows[-1]["node1.worker1_uss"] == "100000000"
+    assert rows[-1]["node1.worker1_uss"] == "20000000"
+    assert rows[-1]["node1.worker1_rss"] == "100000000"
