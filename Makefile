@@ -35,7 +35,7 @@ test-engine: .venv/installed ## The pure engines, with Django impossible to impo
 test-server: .venv/installed ## Real gunicorn on loopback: clients, hostile bodies, publishing under load, deploy/
 	$(BIN)/python -m pytest -q -m server tests/server tests/clients tests/deploy
 
-.PHONY: cluster test-cluster cluster-programs
+.PHONY: cluster test-cluster test-faults cluster-programs
 cluster-programs:
 	@command -v haproxy >/dev/null || [ -x /usr/sbin/haproxy ] || [ "$$(id -u)" != 0 ] || apt-get install -y -qq haproxy >/dev/null || true
 	@ls /usr/lib/postgresql/*/bin/postgres >/dev/null 2>&1 || [ "$$(id -u)" != 0 ] || apt-get install -y -qq postgresql >/dev/null || true
@@ -45,6 +45,9 @@ cluster: .venv/installed-bench cluster-programs ## PostgreSQL, three nodes and H
 
 test-cluster: .venv/installed-bench cluster-programs ## Break a cluster in every way under load: docs/operations/cluster-trial.md
 	$(BIN)/python -m cluster.trial $(ARGS)
+
+test-faults: .venv/installed cluster-programs ## The same as tests: no turn fails, no state is lost; writes nothing
+	$(BIN)/python -m pytest -q -m cluster tests/cluster
 
 EXAMPLES ?= 10
 SECONDS_EACH ?= 120
