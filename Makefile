@@ -131,8 +131,12 @@ bench-servers: .venv/installed-bench ## The same application on different server
 bench-matching: .venv/installed-bench ## Figures of docs/matching.md, beside hassil; ARGS=--quick for a short run
 	$(BIN)/python -m benchmarks.matching $(ARGS)
 
-.PHONY: bench-paper
-bench-paper: .venv/installed-bench ## The paper's experiments, beside its design re-created; ARGS=--quick
+.PHONY: bench-paper paper-programs
+paper-programs:
+	@[ -f /usr/share/jmeter/lib/ext/ApacheJMeter_http.jar ] || [ "$$(id -u)" != 0 ] || \
+		{ apt-get update -qq && apt-get install -y -qq jmeter jmeter-http; } >/dev/null 2>&1 || true
+
+bench-paper: .venv/installed-bench paper-programs ## The paper's experiments, beside its design re-created; ARGS=--quick
 	$(BIN)/python -m benchmarks.paper $(ARGS)
 
 .venv/installed-bench: .venv/installed requirements-bench.txt

@@ -2,14 +2,18 @@
 
 python -m benchmarks.servers [--rounds 5] [--requests 400]
 
-All run with two workers, the largest state, the load generator on the same two cores; the rounds
-go through all of them in turn, so that a slow minute of the machine hits each.
+All run with two workers, the largest state, the load generator on the same two cores, 32 requests
+always on their way; the rounds go through all of them in turn, so that a slow minute of the machine
+hits each. Where `hey` (a load generator in Go, Debian's package) is installed, it says in the same
+rounds how many turns a second it saw, so that ours need not be believed.
 """
 
 import argparse
 import json
+import re
 import shutil
 import socket
+import subprocess
 import sys
 import tempfile
 import time
@@ -33,6 +37,7 @@ GRANIAN = (
     "--backlog 4096 --log-level warning cair_site.wsgi:application"
 )
 STALLED = 40
+AT_ONCE = 32
 UNLOADED = 30
 
 
@@ -61,6 +66,7 @@ class Figures(NamedTuple):
     keeping: list[float]
     alone: list[float]
     stalled: list[float]
+    hey: dict[bool, list[float]]
 
 
 @contextmanager
@@ -90,13 +96,24 @@ def half_sent(port: int, count: int) -> Iterator[None]:
 def turns_a_second(port: int, bodies: list[bytes], count: int, *, keep: bool) -> float:
     """Return how many turns a second were answered, `count` of them sent over 32 connections."""
     load = Load(Target(HOST, port, keep_alive=keep))
-    began, answered = time.perf_counter(), 0
-    for _ in range(count // 32):
-        results = load.run(bodies, [0.0] * 32)
-        answered += sum(not one.error for one in results)
+    began = time.perf_counter()
+    answered = sum(not one.error for one in load.saturate(bodies, count, AT_ONCE))
     seconds = time.perf_counter() - began
     load.close()
     return answered / seconds
+
+
+def by_hey(port: int, asked: bytes, count: int, *, keep: bool) -> float:
+    """Return what hey says of the same. Raises RuntimeError where a turn was not answered."""
+    body = asked.partition(b"\r\n\r\n")[2].decode()
+    command = ["hey", "-n", str(count), "-c", str(AT_ONCE), "-m", "POST", "-d", body]
+    command += ["-T", "application/json", *([] if keep else ["-disable-keepalive"])]
+    command.append(f"http://{HOST}:{port}/api/v1/hub/")
+    said = subprocess.run(command, capture_output=True, text=True, timeout=120, check=True).stdout
+    answered, rate = re.search(r"\[200\]\s+(\d+)", said), re.search(r"Requests/sec:\s+(\S+)", said)
+    if not answered or not rate or int(answered[1]) < count // AT_ONCE * AT_ONCE:
+        raise RuntimeError(f"hey was not answered each time:\n{said}")
+    return float(rate[1])
 
 
 def milliseconds(port: int, bodies: list[bytes]) -> float:
@@ -108,13 +125,19 @@ def milliseconds(port: int, bodies: list[bytes]) -> float:
 
 def measured(servers: list[tuple[Server, int]], state: str, options: argparse.Namespace) -> None:
     """Go through all servers in turn, and print the table."""
-    figures = {server.name: Figures([], [], [], []) for server, _port in servers}
+    figures = {
+        server.name: Figures([], [], [], [], {False: [], True: []}) for server, _port in servers
+    }
     bodies = {keep: _requests(state, keep=keep) for keep in (False, True)}
+    hey = shutil.which("hey")
     for _ in tqdm(range(options.rounds), desc="rounds"):
         for server, port in servers:
             one = figures[server.name]
             for keep, into in ((False, one.closing), (True, one.keeping)):
                 into.append(turns_a_second(port, bodies[keep], options.requests, keep=keep))
+                if hey:
+                    asked = bodies[keep][0]
+                    one.hey[keep].append(by_hey(port, asked, options.requests, keep=keep))
             one.alone.append(milliseconds(port, bodies[False]))
     for server, port in servers:
         with half_sent(port, STALLED):
@@ -139,8 +162,9 @@ def _requests(state: str, *, keep: bool) -> list[bytes]:
 
 def _print(figures: dict[str, Figures]) -> None:
     print(
-        f"| server | turns/s, a connection each | turns/s, kept connections | one alone, ms "
-        f"| beside {STALLED} stalled clients, ms |\n| --- | ---: | ---: | ---: | ---: |"
+        f"| server | turns/s, a connection each | turns/s, kept connections "
+        f"| by hey, each | by hey, kept | one alone, ms | beside {STALLED} stalled clients, ms |\n"
+        "| --- | ---: | ---: | ---: | ---: | ---: | ---: |"
     )
     first = next(iter(figures.values()))
     for name, one in figures.items():
@@ -148,8 +172,13 @@ def _print(figures: dict[str, Figures]) -> None:
         print(
             f"| {name} | {closing:,.0f} ({closing / median(first.closing):.2f} ×) "
             f"| {keeping:,.0f} ({keeping / median(first.keeping):.2f} ×) "
+            f"| {_said(one.hey[False])} | {_said(one.hey[True])} "
             f"| {median(one.alone):.1f} | {median(one.stalled):,.1f} |"
         )
+
+
+def _said(rates: list[float]) -> str:
+    return f"{median(rates):,.0f}" if rates else "–"
 
 
 def main() -> None:

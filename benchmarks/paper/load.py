@@ -84,10 +84,9 @@ class Load:
 
     def run(self, bodies: Sequence[bytes], dues: Iterable[float]) -> list[Result]:
         """Send a request at each moment (seconds from now), the bodies in turn; wait for all."""
-        self.results, self.calls, self.epoll = [], {}, select.epoll()
+        self._begin()
         waiting = list(enumerate(dues))
         waiting.reverse()
-        self.began = time.perf_counter()
         deadline = (waiting[0][1] if waiting else 0.0) + self.timeout
         while (waiting or self.calls) and self._now() < deadline:
             while waiting and waiting[-1][1] <= self._now():
@@ -99,10 +98,26 @@ class Load:
         self._give_up([due for _number, due in waiting])
         return self.results
 
+    def saturate(self, bodies: Sequence[bytes], count: int, at_once: int) -> list[Result]:
+        """Send `count` requests, `at_once` of them always on their way; wait for all."""
+        self._begin()
+        sent = 0
+        while len(self.results) < count and self._now() < self.timeout:
+            while sent < count and len(self.calls) < at_once:
+                self._open(bodies[sent % len(bodies)], self._now())
+                sent += 1
+            self._hear(min(1.0, max(0.0, self.timeout - self._now())))
+        self._give_up([self._now()] * (count - sent))
+        return self.results
+
     def close(self) -> None:
         """Close the connections that were kept."""
         while self.idle:
             self.idle.pop().close()
+
+    def _begin(self) -> None:
+        self.results, self.calls, self.epoll = [], {}, select.epoll()
+        self.began = time.perf_counter()
 
     def _now(self) -> float:
         return time.perf_counter() - self.began

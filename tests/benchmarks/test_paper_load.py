@@ -76,6 +76,24 @@ def test_an_answer_cut_short_is_an_error(serve: list[Server]) -> None:
     assert [error for _server, error in _run(serve, [OK[:-1]])] == ["AnswerError"]
 
 
+def test_a_saturating_load_sends_all_and_never_more_at_once(serve: list[Server]) -> None:
+    serve.append(Server([OK] * 7))
+    load = Load(Target("127.0.0.1", serve[0].port), 5.0)
+    seen: list[int] = []
+    hear = load._hear
+    load._hear = lambda seconds: seen.append(len(load.calls)) or hear(seconds)  # type: ignore[method-assign,func-returns-value]
+    results = load.saturate([request("POST", "/x", b"{}", "application/json")], 7, 3)
+    assert [one.error for one in results] == [""] * 7
+    assert max(seen) == 3
+
+
+def test_a_saturating_load_gives_up_in_time() -> None:
+    with socket.create_server(("127.0.0.1", 0)) as silent:
+        load = Load(Target("127.0.0.1", silent.getsockname()[1]), 0.2)
+        results = load.saturate([b"x"], 5, 2)
+    assert sorted(one.error for one in results) == ["not sent"] * 3 + ["timeout"] * 2
+
+
 def test_nobody_listening_is_an_error_and_no_exception() -> None:
     with socket.create_server(("127.0.0.1", 0)) as one:
         port = one.getsockname()[1]
