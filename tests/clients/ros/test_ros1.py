@@ -110,16 +110,15 @@ def test_the_robot_of_the_page_speaks_and_acts(peer, node, launch, tmp_path):
     page = (ROS1.parent / "README.md").read_text(encoding="utf-8")
     (tmp_path / "robot.py").write_text(page.split("```python\n")[1].split("```")[0])
     robot = launch("/usr/bin/python3", str(tmp_path / "robot.py"))
-    assert wait_for(lambda: _hears(peer, robot), 30), robot.log.read_text()
-    peer.tell("hear", "Play the song Hey Brother")
-    plan = "does: playsong {'title': 'Hey Brother'}\n"
-    assert wait_for(lambda: plan in robot.lines, 30), robot.log.read_text()
+    assert wait_for(lambda: _all_is_told(peer, robot), 30), robot.log.read_text()
 
 
-def _hears(peer, robot):
-    """Let the node speak; say whether this robot was connected already."""
-    heard(peer, "I love tea", 2)
-    return bool(robot.lines)
+def _all_is_told(peer, robot):
+    """Ask for a song; say whether the robot had connected to both topics by then."""
+    events = heard(peer, "Play the song Hey Brother", 4)
+    lines = {f"says: {sentence}\n" for sentence in sentences(events)}
+    lines.add("does: playsong {'title': 'Hey Brother'}\n")
+    return wait_for(lambda: lines <= set(robot.lines), 3)
 
 
 def test_the_talk_is_kept_in_the_folder_of_ros(peer, node, workspace):
