@@ -46,9 +46,12 @@ def set_up() -> None:
 def wait(seconds: float) -> bool:
     """Return whether the database was ready within this time."""
     until = time.monotonic() + seconds
-    while not (ready := is_ready()) and time.monotonic() < until:
+    while not (ready := is_ready()):
         sys.stderr.write("Waiting for the database to be set up.\n")
-        time.sleep(EVERY)
+        left = until - time.monotonic()
+        if left <= 0:
+            break
+        time.sleep(min(EVERY, left))
     return ready
 
 

@@ -226,7 +226,9 @@ class Robot(object):
     def _heard(self, sentence):
         if self._answers is not None:
             self._answers.put(sentence)
-        elif not self._paused:
+        elif self._paused:
+            _log.info("Not heard: it was told to be quiet.")
+        else:
             self._leave(sentence)
 
     def _leave(self, item):

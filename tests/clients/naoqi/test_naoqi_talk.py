@@ -9,6 +9,7 @@ import pytest
 
 from tests.clients.naoqi.walk import done, spoken
 from tests.clients.network import Network
+from tests.server.conftest import wait_for
 
 NOON = datetime.datetime(2026, 11, 21, 12, 0)  # noqa: DTZ001 - a robot's clock has no zone
 NOT_LEARNED = {
@@ -168,7 +169,8 @@ def test_a_robot_that_can_call_nobody_does_not_promise_it(plain_pepper, address,
     assert done(lines) == []
 
 
-def test_a_touch_stops_what_is_going_on_and_the_next_one_pauses(pepper, address, let_talk):
+def test_a_touch_stops_what_is_going_on_and_the_next_one_pauses(pepper, address, let_talk, caplog):
+    caplog.set_level("INFO")
     pepper.behaviours.long.add("cair/hug")
     let_talk(pepper, address)
     pepper.memory.wait_until_it_listens()
@@ -181,6 +183,7 @@ def test_a_touch_stops_what_is_going_on_and_the_next_one_pauses(pepper, address,
     pepper.notes.wait_for("says: I will be quiet now.")
     before = len(pepper.notes.lines)
     pepper.person("I love music")
+    assert wait_for(lambda: "told to be quiet" in caplog.text, 20)
     pepper.touch()
     pepper.notes.wait_for("says: Here I am. I am listening.")
     assert len(spoken(pepper.notes.lines[before:])) == 1
