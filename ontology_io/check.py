@@ -9,6 +9,8 @@ from dialogue.engine.concepts import Knowledge
 from dialogue.engine.content import Content, build_content
 from dialogue.engine.findings import Finding
 from dialogue.engine.library_checks import check_library
+from ontology_io.owl.resolve_fit import fitting
+from ontology_io.owl.resolve_notes import Notes
 from ontology_io.records import KnowledgeBase
 
 
@@ -16,6 +18,17 @@ def check_base(base: KnowledgeBase) -> list[Finding]:
     """Return all findings; those with `error` stop loading and publishing."""
     knowledge = _with_numbers(base.knowledge)
     return [*check_knowledge(knowledge), *check_library(knowledge, base.library)]
+
+
+def check_files(base: KnowledgeBase) -> list[Finding]:
+    """Return all findings of what was read from files, which may be longer than a row can be.
+
+    SQLite would take it, PostgreSQL not; and no author could save the topic again.
+    """
+    notes = Notes()
+    fitting(base, notes)
+    unfit = [Finding("D028", one.where, one.text, one.hint) for one in notes.problems]
+    return [*check_base(base), *unfit]
 
 
 def _with_numbers(knowledge: Knowledge) -> Knowledge:

@@ -37,6 +37,7 @@ KINDS: Mapping[str, Promise] = {
     "D025": _("A proposal of something the robot cannot do"),
     "D026": _("A proposal with an unknown parameter"),
     "D027": _("A keyword without letters"),
+    "D028": _("A text too long for its field, or a name that cannot be used"),
     "P001": _("An intent that cannot be read"),
     "T001": _("A test of an intent that fails"),
     "C001": _("Another intent takes some of its sentences"),

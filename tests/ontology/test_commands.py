@@ -66,6 +66,14 @@ def test_what_cannot_be_read_is_not_loaded(small_draft: Folder, small_folder: Pa
         ({"drink": DRINK.replace("$hasName?", "$hasName.x?", 1)}, "drink.yaml:11: D021 Drink.q1:"),
         ({"drink": DRINK.replace("playsong", "fly")}, "content/drink.yaml:20: D025 Drink.g1: "),
         ({"intents": INTENTS.replace("{title}", "{song}", 1)}, "P001 playsong: playsong"),
+        (
+            {"drink": DRINK.replace("tea|cuppa", "tea|" + "cuppa " * 167)},
+            "content/drink.yaml:25: D028 Tea: A set of keywords in en has 1005 characters; 1000",
+        ),
+        (
+            {"intents": INTENTS.replace("[the song]", "[the song]" * 51)},
+            "D028 playsong: A trigger in en has 532 characters; 500 are the most.",
+        ),
     ],
 )
 def test_errors_are_told_with_file_and_line(

@@ -11,7 +11,7 @@ from dialogue.engine.findings import Finding
 from dialogue.engine.lints.bars import bars, markdown
 from dialogue.engine.lints.lint import findings_of, lint_content
 from dialogue.garbage import collected_later
-from ontology_io.check import build_base, check_base
+from ontology_io.check import build_base, check_files
 from ontology_io.files.folder import (
     NUMBERS,
     Folder,
@@ -42,7 +42,7 @@ class Command(BaseCommand):
         except ContentError as error:
             raise CommandError(str(error)) from error
         with collected_later():
-            found = check_base(folder.base)
+            found = check_files(folder.base)
             if options["bars"]:
                 self._print_bars(folder, found)
                 return

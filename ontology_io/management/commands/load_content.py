@@ -5,7 +5,7 @@ from pathlib import Path
 
 from django.core.management.base import BaseCommand, CommandError
 
-from ontology_io.check import check_base
+from ontology_io.check import check_files
 from ontology_io.differences import differences
 from ontology_io.files.folder import read_folder
 from ontology_io.files.nodes import ContentError
@@ -26,7 +26,7 @@ class Command(BaseCommand):
             folder = read_folder(path)
         except ContentError as error:
             raise CommandError(f"Nothing was loaded.\n{error}") from error
-        errors = [finding for finding in check_base(folder.base) if finding.error]
+        errors = [finding for finding in check_files(folder.base) if finding.error]
         if errors:
             named = "\n".join(finding.with_place(folder.places) for finding in errors[:200])
             raise CommandError(f"Nothing was loaded: {len(errors)} errors.\n{named}")
