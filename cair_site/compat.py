@@ -15,18 +15,20 @@ from cair_site.compat_speech import Heard, hear, spoken
 from cair_site.errors import ApiError, error_json, log_fault, named
 from cair_site.messages import deflated, inflated, parse_json, read_bytes
 from cair_site.metrics import count_error
+from cair_site.services import Services
 from cair_site.turn_facts import FACTS, Facts, language_of
 from dialogue.engine.codec import StateError
 from dialogue.engine.content import Content
 from dialogue.engine.saying import apology
 from dialogue.engine.state import DialogueState
 from dialogue.publishing import NothingPublishedError, current
-from dialogue.turns import first_turn, read_state, take_turn_without_asking, write_state
+from dialogue.turns import first_turn, read_state, write_state
 from languages.known import LANGUAGES
 from plans.choices import UnknownChoiceError
 from plans.timing import DECODE, ENCODE, HEADER, header, lap, timed
 
 Json = dict[str, Any]
+_services = Services()
 METHODS = ("GET", "PUT", "POST")
 STATE_VERSION = 1
 LONGEST_HISTORY = 200  # clients only append: the state must not outgrow the limit of bodies
@@ -155,14 +157,14 @@ def _state(content: Content, old: object, language: str) -> DialogueState:
 
 def _talk(heard: Heard, old: object, language: str) -> Json:
     content = current()
-    taken = take_turn_without_asking(content, _state(content, old, language), heard.sentence)
-    said = taken.reply
+    state = _state(content, old, language)
+    told = _services.turn_without_asking(content, state, heard.sentence)
     return {
-        "dialogue_state": _state_json(said.state, old if isinstance(old, dict) else {}),
-        heard.names.plan_sentence: spoken(taken.plan.plan_sentence, heard.profile),
-        "plan": taken.plan.plan,
+        "dialogue_state": _state_json(told.state, old if isinstance(old, dict) else {}),
+        heard.names.plan_sentence: spoken(told.plan_sentence, heard.profile),
+        "plan": told.plan,
         heard.names.dialogue_sentence: heard.reply(
-            said.sentence_type, spoken(said.sentence, heard.profile)
+            told.sentence_type, spoken(told.sentence, heard.profile)
         ),
     }
 

@@ -27,7 +27,13 @@ from dialogue.api import (
 from dialogue.engine.codec import StateError
 from dialogue.engine.content import Content
 from dialogue.engine.state import DialogueState
-from dialogue.turns import read_state, take_turn, understand, write_state
+from dialogue.turns import (
+    read_state,
+    take_turn,
+    take_turn_without_asking,
+    understand,
+    write_state,
+)
 from plans.api import Json, plan_json
 from plans.choices import UnknownChoiceError
 from plans.engine.manager import PlanAnswer
@@ -63,12 +69,26 @@ class DialogueSaid(msgspec.Struct):
 
 
 class Taken(NamedTuple):
-    """A turn that is being taken."""
+    """A turn that is being taken.
+
+    A client that does not answer the agent's question for a parameter gets its plan with None.
+    """
 
     content: Content
-    asked: TurnRequest
+    capabilities: list[str] | None
     state: DialogueState
     sentence: str
+    answers: bool = True
+
+
+class Told(NamedTuple):
+    """What an existing client is told, and the state after it."""
+
+    state: DialogueState
+    plan: str
+    plan_sentence: str
+    sentence: str
+    sentence_type: str
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,16 +98,38 @@ class Services:
     def turn(self, content: Content, asked: TurnRequest, sentence: str) -> Json:
         """Return the answer of one turn."""
         state = state_for(content, asked)
-        if settings.CAIR_PLAN_MANAGER_URL or settings.CAIR_DIALOGUE_MANAGER_URL:
-            return _turn_over_http(Taken(content, asked, state, sentence))
+        if _apart():
+            return _turn_over_http(Taken(content, asked.capabilities, state, sentence))
         taken = take_turn(content, state, sentence, capabilities=asked.capabilities)
         return reply_json(taken.reply, taken.plan)
+
+    def turn_without_asking(self, content: Content, state: DialogueState, sentence: str) -> Told:
+        """Return what is said to a client that asks for missing parameters itself."""
+        if _apart():
+            told = _turn_over_http(Taken(content, None, state, sentence, answers=False))
+            return Told(
+                read_state(str(told["dialogue_state"])),
+                str(told["plan"]),
+                str(told["plan_sentence"]),
+                str(told["dialogue_sentence"]),
+                str(told["sentence_type"]),
+            )
+        taken = take_turn_without_asking(content, state, sentence)
+        plan, said = taken.plan, taken.reply
+        return Told(said.state, plan.plan, plan.plan_sentence, said.sentence, said.sentence_type)
+
+
+def _apart() -> bool:
+    return bool(settings.CAIR_PLAN_MANAGER_URL or settings.CAIR_DIALOGUE_MANAGER_URL)
 
 
 def _turn_over_http(turn: Taken) -> Json:
     """Ask the services that live elsewhere; a silent Plan Manager costs its plan, not the talk."""
     began, seconds = time.monotonic(), settings.CAIR_SERVICE_SECONDS
     understood = _plan(turn, began + PLAN_SHARE * seconds)
+    question = understood["question"]
+    if isinstance(question, dict) and question["slot"] and not turn.answers:
+        understood["question"] = None
     reply = _dialogue(turn, understood, began + seconds)
     if not reply["plan"] and not reply["plan_sentence"] and not _asks(reply, understood):
         reply |= {name: understood[name] for name in PLAN_FIELDS}
@@ -103,7 +145,7 @@ def _asks(reply: Json, understood: Json) -> bool:
 
 
 def _plan(turn: Taken, until: float) -> Json:
-    url, state, capabilities = settings.CAIR_PLAN_MANAGER_URL, turn.state, turn.asked.capabilities
+    url, state, capabilities = settings.CAIR_PLAN_MANAGER_URL, turn.state, turn.capabilities
     if not url:
         return plan_json(understand(turn.content, state, turn.sentence, capabilities))
     body: Json = {
@@ -126,7 +168,7 @@ def _dialogue(turn: Taken, understood: Json, until: float) -> Json:
     request = DialogueRequest(
         client_sentence=turn.sentence,
         dialogue_state=write_state(turn.state),
-        capabilities=turn.asked.capabilities,
+        capabilities=turn.capabilities,
         intent=str(understood["intent"]),
         plan_sentence=str(understood["plan_sentence"]),
         kbplan_actions=msgspec.convert(understood["kbplan_actions"], list[ActionMessage]),

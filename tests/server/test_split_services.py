@@ -8,6 +8,7 @@ import time
 from collections.abc import Iterator
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import pytest
 
@@ -17,6 +18,7 @@ from cluster.nodes import Node
 from cluster.processes import plain_environment, signal_group
 from cluster.talks import SENTENCES
 
+Json = dict[str, Any]
 TURNS = 60
 MORE = {
     "en": ("play a song", "Hey Brother", "goodbye", "hello again", "", "help me, I have fallen"),
@@ -72,11 +74,11 @@ def trio(prepared: Path, tmp_path_factory: pytest.TempPathFactory) -> Iterator[T
 
 
 def ask(node: Node, method: str, path: str, **wish: object) -> tuple[int, bytes]:
-    """Return the status and the body of an answer."""
+    """Return the status and the body of an answer; paths are those of the API, or begin with /."""
     connection = http.client.HTTPConnection(*node.address, timeout=20)
     try:
         body = json.dumps(wish).encode() if wish else None
-        connection.request(method, f"/api/v1/{path}", body)
+        connection.request(method, path if path.startswith("/") else f"/api/v1/{path}", body)
         answer = connection.getresponse()
         return answer.status, answer.read()
     finally:
@@ -104,6 +106,27 @@ def test_a_talk_over_three_servers_is_byte_for_byte_that_of_one(trio: Trio, lang
     answers = [json.loads(body) for body in apart[1:]]
     assert sum(bool(one["plan"]) for one in answers) >= 3
     assert any(one["plan_sentence"] for one in answers)
+
+
+def old_talk(node: Node, language: str, seed: int) -> list[Json]:
+    """Return the answers to an existing client; its talk begins with a seed that one cannot ask."""
+    body = ask(node, "GET", f"hub/?language={language}&seed={seed}")[1]
+    state = {"state": json.loads(body)["dialogue_state"]}
+    answers: list[Json] = []
+    for sentence in (*SENTENCES[language], *MORE[language]):
+        wish = {"client_sentence": sentence, "dialogue_state": state}
+        status, body = ask(node, "PUT", "/CAIR_hub", **wish)
+        assert status == 200, body
+        answers.append(json.loads(body))
+        state = answers[-1]["dialogue_state"]
+    return answers
+
+
+@pytest.mark.parametrize("language", list(SENTENCES))
+def test_existing_clients_hear_the_same_over_three_servers(trio: Trio, language: str) -> None:
+    apart = old_talk(trio.hub, language, 42)
+    assert apart == old_talk(trio.dialogue, language, 42)
+    assert any("=None" in one["plan"] for one in apart)
 
 
 def test_a_plan_that_waited_for_an_answer_arrives(trio: Trio) -> None:
@@ -204,3 +227,15 @@ def test_without_the_dialogue_manager_one_is_told_to_try_again_and_can(
     assert "same state" in error["hint"]
     silence.ends()
     assert ask(trio.hasty, "POST", "hub/", **wish) == expected
+
+
+def test_an_existing_client_hears_an_apology_and_keeps_its_state(
+    trio: Trio, silence: Silence
+) -> None:
+    state = old_talk(trio.hasty, "en", 7)[-1]["dialogue_state"]
+    silence.of(trio.dialogue)
+    wish = {"client_sentence": "I love music", "dialogue_state": state}
+    status, body = ask(trio.hasty, "PUT", "/CAIR_hub", **wish)
+    said = json.loads(body)
+    assert (status, said["dialogue_state"], said["plan"]) == (200, state, "")
+    assert said["dialogue_sentence"]
