@@ -32,13 +32,14 @@ test: .venv/installed test-engine ## All fast tests: engines without Django, the
 test-engine: .venv/installed ## The pure engines, with Django impossible to import
 	$(PURE_PYTEST) -q tests/engine
 
-test-server: .venv/installed ## Real gunicorn on loopback: clients, hostile bodies, publishing under load, deploy/
+test-server: .venv/installed cluster-programs ## Real gunicorn on loopback: clients, hostile bodies, publishing under load, deploy/
 	$(BIN)/python -m pytest -q -m server tests/server tests/clients tests/deploy
 
 .PHONY: cluster test-cluster test-faults cluster-programs
 cluster-programs:
 	@command -v haproxy >/dev/null || [ -x /usr/sbin/haproxy ] || [ "$$(id -u)" != 0 ] || apt-get install -y -qq haproxy >/dev/null || true
 	@ls /usr/lib/postgresql/*/bin/postgres >/dev/null 2>&1 || [ "$$(id -u)" != 0 ] || apt-get install -y -qq postgresql >/dev/null || true
+	@command -v pgbouncer >/dev/null || [ -x /usr/sbin/pgbouncer ] || [ "$$(id -u)" != 0 ] || apt-get install -y -qq pgbouncer >/dev/null || true
 
 cluster: .venv/installed-bench cluster-programs ## PostgreSQL, three nodes and HAProxy on this machine; Ctrl-C ends all
 	$(BIN)/python -m cluster $(ARGS)

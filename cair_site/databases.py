@@ -4,8 +4,9 @@ What stands after the `?` of a PostgreSQL URL: any connection option of PostgreS
 given elsewhere (`sslmode=require`, `sslrootcert=…`, `host=/run/postgresql`), and of our own
 
 * `pool`: connections that one process keeps at most; 0 makes a new one each time, for a pooler
-  in between such as PgBouncer;
-* `statement_seconds`: the longest time of one statement; 0 sets none.
+  in between such as PgBouncer, which may give every transaction another connection;
+* `statement_seconds`: the longest time of one statement; 0 sets none, as is usual with `pool=0`:
+  PgBouncer refuses connections that bring such a limit.
 """
 
 from collections.abc import Mapping
@@ -97,7 +98,8 @@ def _postgres(parts: SplitResult, port: int | None) -> Settings:
         raise _wrong("write %23 for a # in the password")
     given = _options(parts.query)
     pool = _number(given, "pool", POOL, MOST_CONNECTIONS)
-    seconds = _number(given, "statement_seconds", STATEMENT_SECONDS, LONGEST_STATEMENT)
+    usual = STATEMENT_SECONDS if pool else 0
+    seconds = _number(given, "statement_seconds", usual, LONGEST_STATEMENT)
     host = unquote(parts.hostname or "")
     if host and "host" in given:
         raise _wrong("the host is given twice")
@@ -117,6 +119,8 @@ def _postgres(parts: SplitResult, port: int | None) -> Settings:
         "PORT": str(port or ""),
         # A pool keeps the connections; without one, none outlives its request.
         "CONN_MAX_AGE": 0,
+        # They would live longer than a transaction, and so than a connection of a pooler.
+        "DISABLE_SERVER_SIDE_CURSORS": not pool,
         "OPTIONS": options,
     }
 

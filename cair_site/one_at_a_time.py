@@ -1,6 +1,7 @@
 """Work on the database that only one process at a time may do, on whatever machine it runs."""
 
 import fcntl
+import time
 import zlib
 from collections.abc import Iterator
 from contextlib import contextmanager
@@ -11,6 +12,7 @@ from django.db.backends.base.base import BaseDatabaseWrapper
 
 #: Sets our locks apart from those of other programs that use the same PostgreSQL.
 OURS = 0x43414952  # "CAIR"
+AGAIN_SECONDS = 0.2
 
 
 @contextmanager
@@ -20,9 +22,9 @@ def one_at_a_time(
 ) -> Iterator[None]:
     """Wait until nobody else does this work on the database of `used`, then keep others waiting.
 
-    A process that dies lets go. On PostgreSQL this is an advisory lock of a connection of its own
-    (not through a pooler that gives every statement another connection); on SQLite a locked file
-    next to the database's. A database in memory has no others.
+    A process that dies lets go. On PostgreSQL this is an advisory lock of a transaction of its own,
+    which a pooler in between leaves together; on SQLite a locked file next to the database's. A
+    database in memory has no others.
     """
     if used.vendor == "postgresql":
         with _lock_of_postgres(work, used):
@@ -42,17 +44,25 @@ def _in_memory(used: BaseDatabaseWrapper) -> bool:
 @contextmanager
 def _lock_of_postgres(work: str, used: BaseDatabaseWrapper) -> Iterator[None]:
     own = used.copy()
-    # Apart from the pool, which would give it back; the wait for others has no limit of time.
-    own.settings_dict["OPTIONS"].pop("pool", None)
+    own.settings_dict["OPTIONS"].pop("pool", None)  # It would be given back to the pool.
     try:
-        with own.cursor() as cursor:
-            cursor.execute("SET statement_timeout = 0")
-            cursor.execute(
-                "SELECT pg_advisory_lock(%s, %s)", [OURS, zlib.crc32(work.encode()) >> 1]
-            )
-            yield
+        own.set_autocommit(False)
+        # Those who wait for a lock in PostgreSQL itself would take up the connections of a pooler.
+        while not _locked(work, own):
+            own.rollback()
+            time.sleep(AGAIN_SECONDS)
+        yield
     finally:
         own.close()
+
+
+def _locked(work: str, own: BaseDatabaseWrapper) -> bool:
+    with own.cursor() as cursor:
+        cursor.execute("SET LOCAL idle_in_transaction_session_timeout = 0")
+        cursor.execute(
+            "SELECT pg_try_advisory_xact_lock(%s, %s)", [OURS, zlib.crc32(work.encode()) >> 1]
+        )
+        return bool(cursor.fetchone()[0])
 
 
 @contextmanager

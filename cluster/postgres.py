@@ -9,7 +9,6 @@ import pwd
 import secrets
 import shutil
 import signal
-import socket
 import subprocess
 import sys
 import tempfile
@@ -20,6 +19,8 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from types import FrameType
 from typing import NoReturn, TypedDict
+
+from cluster.processes import free_port
 
 #: Where the programs of the server are, which are seldom on the PATH.
 PLACES = ("usr/lib/postgresql/*/bin", "usr/pgsql-*/bin", "usr/local/pgsql/bin")
@@ -56,6 +57,13 @@ class Postgres:
     #: An address of this machine besides the loopback, and the network that may call there.
     own_address: str = ""
     subnet: str = ""
+    #: Settings of the server beside those of all tests, e.g. "ssl=on".
+    settings: tuple[str, ...] = ()
+
+    @property
+    def certificate(self) -> Path:
+        """Return the file of the certificate, where it speaks TLS."""
+        return self.folder / "server.crt"
 
     @property
     def url(self) -> str:
@@ -81,14 +89,14 @@ class Postgres:
 
     def make(self) -> None:
         """Make the files of the server and its user."""
-        _give(self.folder)
+        give(self.folder)
         secret = self.folder / "password"
         secret.write_text(self.password, encoding="ascii")
-        _give(secret)
+        give(secret)
         command = [program("initdb"), "--pgdata", str(self.folder / "data"), "--no-sync"]
         command += ["--username", USER, "--pwfile", str(secret), "--auth", "scram-sha-256"]
         command += ["--encoding", "UTF8", "--locale", "C.UTF-8"]
-        done = subprocess.run(command, capture_output=True, text=True, check=False, **_who())
+        done = subprocess.run(command, capture_output=True, text=True, check=False, **who())
         secret.unlink()
         if done.returncode:
             raise NoPostgresError(f"initdb: {done.stderr[-2000:]}")
@@ -96,15 +104,30 @@ class Postgres:
             with (self.folder / "data" / "pg_hba.conf").open("a", encoding="ascii") as rules:
                 rules.write(f"host all all {self.subnet} scram-sha-256\n")
 
+    def make_tls(self) -> None:
+        """Make a certificate of its own for 127.0.0.1, and refuse connections without TLS."""
+        key, names = self.folder / "server.key", "subjectAltName=IP:127.0.0.1,DNS:localhost"
+        command = ["openssl", "req", "-x509", "-newkey", "rsa:2048", "-nodes", "-days", "2"]
+        command += ["-subj", "/CN=localhost", "-addext", names]
+        command += ["-keyout", str(key), "-out", str(self.certificate)]
+        subprocess.run(command, capture_output=True, check=True)
+        key.chmod(0o600)
+        give(key)
+        give(self.certificate)
+        rules = self.folder / "data" / "pg_hba.conf"
+        rules.write_text("hostssl all all 127.0.0.1/32 scram-sha-256\n", encoding="ascii")
+        files = (f"ssl_key_file={key}", f"ssl_cert_file={self.certificate}")
+        self.settings = (*self.settings, "ssl=on", *files)
+
     def start(self) -> None:
         """Start the server and wait until it answers."""
         command = [program("postgres"), "-D", str(self.folder / "data"), "-p", str(self.port)]
         addresses = ",".join(filter(None, ("127.0.0.1", self.own_address)))
         command += ["-c", f"listen_addresses={addresses}", "-c", "unix_socket_directories="]
-        for setting in QUICK:
+        for setting in (*QUICK, *self.settings):
             command += ["-c", setting]
         with (self.folder / "log").open("ab") as log:
-            self.process = subprocess.Popen(command, stdout=log, stderr=log, **_who())
+            self.process = subprocess.Popen(command, stdout=log, stderr=log, **who())
         until = time.monotonic() + SECONDS
         while self.process.poll() is None and time.monotonic() < until:
             if self._answers():
@@ -131,7 +154,7 @@ class Postgres:
         return subprocess.run(command, check=False).returncode == 0
 
 
-class _Who(TypedDict, total=False):
+class Who(TypedDict, total=False):
     """As whom a program runs, as subprocess takes it."""
 
     user: int
@@ -140,7 +163,7 @@ class _Who(TypedDict, total=False):
     cwd: str
 
 
-def _who() -> _Who:
+def who() -> Who:
     """Return as whom the server's programs run: as this user, or where this is root as another."""
     if os.geteuid():
         return {}
@@ -153,28 +176,27 @@ def _who() -> _Who:
     raise NoPostgresError("Root needs a user without rights for PostgreSQL: postgres or nobody.")
 
 
-def _give(path: Path) -> None:
-    who = _who()
-    if who:
-        os.chown(path, who["user"], who["group"])
-
-
-def _free_port() -> int:
-    with socket.socket() as tried:
-        tried.bind(("127.0.0.1", 0))
-        return int(tried.getsockname()[1])
+def give(path: Path) -> None:
+    """Give a file to whom the server's programs run as."""
+    whose = who()
+    if whose:
+        os.chown(path, whose["user"], whose["group"])
 
 
 @contextmanager
-def private_postgres(own_address: str = "", subnet: str = "") -> Iterator[Postgres]:
+def private_postgres(
+    own_address: str = "", subnet: str = "", *, tls: bool = False
+) -> Iterator[Postgres]:
     """Yield a started server; afterwards it is ended and its data are gone.
 
-    With `own_address` it listens there too, for those of `subnet`.
+    With `own_address` it listens there too, for those of `subnet`; with `tls` it speaks only TLS.
     """
     folder = Path(tempfile.mkdtemp(prefix="cair-postgres-"))
-    server = Postgres(folder, _free_port(), own_address=own_address, subnet=subnet)
+    server = Postgres(folder, free_port(), own_address=own_address, subnet=subnet)
     try:
         server.make()
+        if tls:
+            server.make_tls()
         server.start()
         try:
             server.ask(f'CREATE DATABASE "{DATABASE}"', "postgres")

@@ -63,8 +63,10 @@ def test_the_pool_has_a_size_or_is_none() -> None:
     assert settings_of("postgresql://db/cair")["OPTIONS"]["pool"]["max_size"] == 4
     assert settings_of("postgresql://db/cair?pool=9")["OPTIONS"]["pool"]["max_size"] == 9
     without = settings_of("postgresql://db/cair?pool=0")
-    assert "pool" not in without["OPTIONS"]
-    assert without["CONN_MAX_AGE"] == 0
+    assert not {"pool", "options"} & without["OPTIONS"].keys()
+    assert (without["CONN_MAX_AGE"], without["DISABLE_SERVER_SIDE_CURSORS"]) == (0, True)
+    limited = settings_of("postgresql://db/cair?pool=0&statement_seconds=9")
+    assert limited["OPTIONS"]["options"] == "-c statement_timeout=9s"
 
 
 @pytest.mark.parametrize(

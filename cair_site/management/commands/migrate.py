@@ -14,7 +14,8 @@ class Command(migrate.Command):
     def handle(self, *args: Any, **options: Any) -> None:
         used = connections[options["database"]]
         with one_at_a_time("migrate", used):
-            if used.vendor != "postgresql":
+            # Without a pool of ours a pooler may be there: what is set would be set for others.
+            if used.vendor != "postgresql" or "pool" not in used.settings_dict["OPTIONS"]:
                 super().handle(*args, **options)
                 return
             self._without_limit(*args, **options)
