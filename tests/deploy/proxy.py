@@ -76,7 +76,7 @@ class Service:
 
     def next_line(self, before: int) -> dict[str, Any]:
         """Return the line after the first `before` ones; nginx writes it after its answer."""
-        until = time.monotonic() + 10
+        until = time.monotonic() + 60
         while len(self.lines()) <= before and time.monotonic() < until:
             time.sleep(0.05)
         return self.lines()[before]

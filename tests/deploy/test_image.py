@@ -63,7 +63,7 @@ def port(tree: Path, var: Path) -> Iterator[int]:
 
 
 def _wait_until_ready(process: "subprocess.Popen[str]", port: int) -> None:
-    until = time.monotonic() + 30
+    until = time.monotonic() + 120
     while time.monotonic() < until:
         assert process.poll() is None, process.stdout and process.stdout.read()
         try:

@@ -112,7 +112,7 @@ def start_server(var: Path, log: Path) -> Server:
     with log.open("wb") as file:
         process = subprocess.Popen(command, cwd=ROOT, env=environment(var), stderr=file)
     server = Server(var, 0, process, log)
-    until = time.monotonic() + 20
+    until = time.monotonic() + 120
     while time.monotonic() < until and process.poll() is None:
         found = LISTENS.search(log.read_text(errors="replace"))
         if found:

@@ -96,7 +96,7 @@ def test_turns_go_on_while_the_database_is_away_and_publications_come_after(
     length = server.log.stat().st_size
     postgres.stop(at_once=True)
     state = talk(server, 30, state)
-    assert wait_for(lambda: looked_in_vain(server, length), 15)
+    assert wait_for(lambda: looked_in_vain(server, length), 60)
     assert server.publication() == before
     assert server.ask("GET", "/livez").status == 200
     # Long enough for a pool with growing pauses to be asleep when the database comes back.

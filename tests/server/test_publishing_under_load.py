@@ -131,4 +131,4 @@ def test_every_state_goes_on(observed: Observed) -> None:
 
 def test_a_publication_that_says_the_same_is_the_same(observed: Observed) -> None:
     manage(observed.server.var, "publish", "--roll-back", "1")
-    assert wait_for(everybody_serves(observed.server, observed.numbers[-1]), 3)
+    assert wait_for(everybody_serves(observed.server, observed.numbers[-1]), 30)

@@ -69,7 +69,7 @@ def test_a_server_without_a_database_waits_for_its_content(
     nothing_is_served(server)
     for file in own_var.iterdir():
         (var / file.name).write_bytes(file.read_bytes())
-    assert wait_for(lambda: server.publication() == 1, 5)
+    assert wait_for(lambda: server.publication() == 1, 30)
     assert server.ask("POST", "/api/v1/hub/", TURN).status == 200
 
 

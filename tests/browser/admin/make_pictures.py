@@ -94,7 +94,7 @@ def try_and_publish(walker: Walker, seed: int) -> None:
     page.locator("#publish-form [type=submit]").click()
     page.wait_for_url("**/releases/*/")
     server = walker.desk.server
-    wait_for(lambda: former not in {server.publication() for _ in range(8)}, 15)
+    wait_for(lambda: former not in {server.publication() for _ in range(8)}, 60)
     page.goto("/admin/releases/")
     take(page, "releases")
     page.goto(f"/admin/releases/{former}/back/")

@@ -110,7 +110,7 @@ class Walker:
         self.page.wait_for_url(re.compile(r"/releases/\d+/$"), timeout=30_000)
         number = int(self.page.url.rstrip("/").rpartition("/")[2])
         server = self.desk.server
-        served = wait_for(lambda: {server.publication() for _ in range(8)} == {number}, 15)
+        served = wait_for(lambda: {server.publication() for _ in range(8)} == {number}, 60)
         assert served, f"Release {number} is not served by all workers."
         return number
 
@@ -222,6 +222,6 @@ def test_words_typed_while_the_page_still_loads_are_searched(opened: Callable[..
     page.route(re.compile(r"/tree(\.\w+)?\.js$"), lambda route: held.append(route))
     page.goto("/admin/tree/", wait_until="commit")
     page.locator("#tree-q").fill("green tea")
-    assert wait_for(lambda: page.wait_for_timeout(50) or held, 15), "The script was not asked for."
+    assert wait_for(lambda: page.wait_for_timeout(50) or held, 60), "The script was not asked for."
     held[0].continue_()
     expect(page.locator(".hits a", has_text="GreenTea").first).to_be_visible()

@@ -42,7 +42,7 @@ class Out:
         self.log.append(("plan", action.name))
 
     def has(self, count):
-        return wait_for(lambda: len(self.log) >= count, 10)
+        return wait_for(lambda: len(self.log) >= count, 30)
 
 
 @pytest.fixture
