@@ -196,12 +196,12 @@ class KeywordSet(models.Model):
     topic = models.ForeignKey(Topic, models.CASCADE, related_name="keywords")
     language = models.CharField(max_length=8, choices=languages, help_text=_("Example: en"))
     first = models.CharField(
-        max_length=1000,
+        max_length=2000,
         validators=[no_control, validators.keywords],
         help_text=_("Words apart by |. Example: green|matcha"),
     )
     second = models.CharField(
-        max_length=1000,
+        max_length=2000,
         validators=[no_control, validators.keywords],
         default="*",
         help_text=_("A word of this set must be heard too; * means any. Example: tea"),

@@ -77,7 +77,7 @@ class KeywordIndex:
         Example: `index.search("green tea")[0].words == ("green", "tea")`.
         """
         tokens = self.language.tokens(sentence)
-        places = self.finder.places(tokens)
+        places = self.finder.places(sentence, tokens)
         if not places:
             return ()
         best: dict[int, _Hit] = {}

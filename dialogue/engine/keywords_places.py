@@ -10,6 +10,7 @@ from typing import NamedTuple
 from languages.language import Language, Token
 
 _KATAKANA = re.compile(r"[ァ-ヺー-ヿㇰ-ㇿ]+")
+_PAUSE = re.compile(r"[、。，．！？!?,.…]")
 
 
 class Place(NamedTuple):
@@ -29,12 +30,16 @@ class Finder:
     forms: Collection[str]
     lengths: Mapping[str, tuple[int, ...]]
 
-    def places(self, tokens: Sequence[Token]) -> list[Place]:
+    def places(self, sentence: str, tokens: Sequence[Token]) -> list[Place]:
         """Return all places from left to right, at each start the longest first."""
         words = [token.text for token in tokens]
         if self.language.spaced:
             return _marked(self._word_places(words))
-        return _marked(self._run_places(words, tokens))
+        found = self._run_places(words, tokens)
+        pauses = _pauses(sentence, tokens)
+        if pauses:
+            found = (one for one in found if not any(one[0] < at < one[1] for at in pauses))
+        return _marked(found)
 
     def _word_places(self, words: Sequence[str]) -> Iterable[tuple[int, int, str]]:
         lengths = self.lengths
@@ -110,6 +115,16 @@ def _katakana_runs(text: str, starts: Sequence[int], tokens: Sequence[Token]) ->
                 begin = found.start() + at
         runs[begin] = found.end()
     return runs
+
+
+def _pauses(sentence: str, tokens: Sequence[Token]) -> list[int]:
+    """Return where, in the joined tokens, a sign stands: たいくつ is not in 「あんた、いくつ」."""
+    signs = [found.start() for found in _PAUSE.finditer(sentence)]
+    if not signs:
+        return []
+    joined = [0, *accumulate([len(token.text) for token in tokens])]
+    starts = [token.start for token in tokens]
+    return [joined[bisect_left(starts, sign)] for sign in signs]
 
 
 def _marked(places: Iterable[tuple[int, int, str]]) -> list[Place]:

@@ -27,6 +27,7 @@ INITIATIVE = "e"
 OPEN_TYPES = frozenset({"w", INITIATIVE, ""})
 WORDS_WORTH_A_NOD = 3
 DISLIKED = 0.2
+HEARD_OUT = 5  # sentences about a hard subject, before a word in passing leads to another one
 
 
 @dataclass(frozen=True, slots=True)
@@ -169,10 +170,24 @@ def _mentioned(turn: Turn) -> Node | None:
     if turn.content.tree.is_same_or_below(current.number, found.number):
         turn.note("stay", f"{found.key} is what we are talking about.")
         return None
-    if current.gentle and not found.gentle and turn.state.ordering:
+    if current.gentle and not found.gentle and _is_being_heard(turn, current):
         turn.note("stay", f"{found.key} can wait: the person is being listened to.")
         return None
     return found
+
+
+def _is_being_heard(turn: Turn, node: Node) -> bool:
+    """Say whether a hard subject is not told yet: a word in passing must not end it.
+
+    Who was asked what comes next names it.
+    """
+    if turn.state.ordering:
+        return True
+    said = turn.state.used_slots(node.number).bit_count()
+    if said >= HEARD_OUT or turn.state.last_type == INITIATIVE:
+        return False
+    turn.change(ordering="wc")
+    return True
 
 
 def _nod(turn: Turn, mentioned: Node, *, answered: bool, asked: bool) -> None:

@@ -89,7 +89,8 @@ def _least_recent(turn: Turn, node: Node, lines: Sequence[Line]) -> Line:
         return min(lines, key=lambda line: _last_heard(heard, line.number))
     own = [line for line in fresh if line.owner == node.number]
     if node.gentle and own:
-        fresh = own  # What was written for this very grief comes first.
+        # What was written for this very grief comes first; of that, to begin with, the first: c1.
+        fresh = own if turn.state.used_slots(node.number) else own[:1]
     chosen = draw([(line, _weight(node, line)) for line in fresh], turn.chance)
     return chosen or fresh[0]
 

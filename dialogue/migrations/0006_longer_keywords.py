@@ -15,7 +15,7 @@ class Migration(migrations.Migration):
             name="first",
             field=models.CharField(
                 help_text="Words apart by |. Example: green|matcha",
-                max_length=1000,
+                max_length=2000,
                 validators=[
                     django.core.validators.RegexValidator(
                         "\\A[^\\x00-\\x08\\x0b-\\x1f\\x7f\\ud800-\\udfff\\ufffe\\uffff]*\\Z",
@@ -34,7 +34,7 @@ class Migration(migrations.Migration):
             field=models.CharField(
                 default="*",
                 help_text="A word of this set must be heard too; * means any. Example: tea",
-                max_length=1000,
+                max_length=2000,
                 validators=[
                     django.core.validators.RegexValidator(
                         "\\A[^\\x00-\\x08\\x0b-\\x1f\\x7f\\ud800-\\udfff\\ufffe\\uffff]*\\Z",
@@ -52,7 +52,7 @@ class Migration(migrations.Migration):
             name="first",
             field=models.CharField(
                 help_text="Words apart by |. Example: green|matcha",
-                max_length=1000,
+                max_length=2000,
                 validators=[
                     django.core.validators.RegexValidator(
                         "\\A[^\\x00-\\x08\\x0b-\\x1f\\x7f\\ud800-\\udfff\\ufffe\\uffff]*\\Z",
@@ -71,7 +71,7 @@ class Migration(migrations.Migration):
             field=models.CharField(
                 default="*",
                 help_text="A word of this set must be heard too; * means any. Example: tea",
-                max_length=1000,
+                max_length=2000,
                 validators=[
                     django.core.validators.RegexValidator(
                         "\\A[^\\x00-\\x08\\x0b-\\x1f\\x7f\\ud800-\\udfff\\ufffe\\uffff]*\\Z",

@@ -32,7 +32,7 @@ LINE_KEYS = frozenset(("at", "id", "only", "scope", "do")) | frozenset(LANGUAGES
 FRAME_KEYS = LINE_KEYS - {"at", "id"}
 SECTIONS = ("classes", "leaves", "lines")
 SCOPES = ("", "self", "below")
-LONGEST_SENTENCE, LONGEST_ACTIVITY, LONGEST_VARIABLE, LONGEST_WORDS = 400, 200, 120, 1000
+LONGEST_SENTENCE, LONGEST_ACTIVITY, LONGEST_VARIABLE, LONGEST_WORDS = 400, 200, 120, 2000
 
 _TOPIC_ID = re.compile(r"[A-Za-z][A-Za-z0-9]{0,99}")
 _FRAME_ID = re.compile(r"[a-z][0-9]{1,4}")

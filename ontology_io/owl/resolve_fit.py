@@ -11,7 +11,7 @@ from ontology_io.owl.resolve_notes import Notes
 from ontology_io.records import KnowledgeBase
 from plans.engine.intents import Intent
 
-SENTENCE, NAME, VARIABLE, KEYWORDS = 400, 120, 120, 1000
+SENTENCE, NAME, VARIABLE, KEYWORDS = 400, 120, 120, 2000
 PATTERN, NOTE, ACTIVITY, TRIGGER = 200, 2000, 200, 500
 _WORD = re.compile(r"[a-z][a-z0-9_]{0,59}")
 _CULTURE = re.compile(r"[A-Z]{2,8}")

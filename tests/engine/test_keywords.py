@@ -256,3 +256,9 @@ def test_a_long_hostile_sentence_costs_in_proportion_to_its_length(code, unit):
 
     short, long = unit * (240 // len(unit)), unit * (1_920 // len(unit))
     assert quickest(long) < 8 * 3 * quickest(short) + 1_000_000
+
+
+def test_a_japanese_keyword_does_not_reach_over_a_pause():
+    index = japanese((MUSIC, "たいくつ / *"), (TEA, "お茶 / *"))
+    assert topics(index, "あんた、いくつなん") == []
+    assert set(topics(index, "たいくつ、お茶でも")) == {MUSIC, TEA}

@@ -193,7 +193,21 @@ def test_who_tells_of_people_hears_of_the_topic():
 def test_a_hard_subject_wins_while_listening_and_all_others_after_it():
     listening = mrs_smith("OnYourMind", ordering="wc")
     assert hear(listening, "the funerals").topic == "Funerals"
-    assert hear(mrs_smith("OnYourMind"), "She liked milk a lot").topic == "Milk"
+    heard_out = mrs_smith("OnYourMind")
+    for slot in range(5):
+        heard_out = heard_out.with_used(NUMBERS["OnYourMind"], slot)
+    assert hear(heard_out, "She liked milk a lot").topic == "Milk"
+
+
+def test_a_word_in_passing_does_not_end_a_hard_subject_before_it_is_told():
+    reply = hear(mrs_smith("Grief").with_used(NUMBERS["Grief"], 0), "She liked milk a lot")
+    assert (reply.topic, reply.sentence_type, reply.state.ordering) == ("Grief", "w", "c")
+
+
+def test_a_hard_subject_begins_with_what_is_written_first():
+    for seed in range(20):
+        reply = hear(mrs_smith("Tea", seed=seed), "Grief")
+        assert WORLD.tree.lines[reply.state.frames[-1]].key == "Grief.c1"
 
 
 def test_a_plan_that_was_asked_for_is_no_topic():
