@@ -37,9 +37,12 @@ test-server: .venv/installed cluster-programs ## Real gunicorn on loopback: clie
 
 .PHONY: cluster test-cluster test-faults cluster-programs
 cluster-programs:
-	@command -v haproxy >/dev/null || [ -x /usr/sbin/haproxy ] || [ "$$(id -u)" != 0 ] || apt-get install -y -qq haproxy >/dev/null || true
-	@ls /usr/lib/postgresql/*/bin/postgres >/dev/null 2>&1 || [ "$$(id -u)" != 0 ] || apt-get install -y -qq postgresql >/dev/null || true
-	@command -v pgbouncer >/dev/null || [ -x /usr/sbin/pgbouncer ] || [ "$$(id -u)" != 0 ] || apt-get install -y -qq pgbouncer >/dev/null || true
+	@missing=""; \
+	for program in haproxy pgbouncer; do PATH="$$PATH:/usr/sbin" command -v $$program >/dev/null || missing="$$missing $$program"; done; \
+	ls /usr/lib/postgresql/*/bin/postgres >/dev/null 2>&1 || missing="$$missing postgresql"; \
+	if [ -n "$$missing" ] && [ "$$(id -u)" = 0 ] && command -v apt-get >/dev/null; then \
+		apt-get update -qq; apt-get install -y -qq $$missing >/dev/null; \
+	fi || echo "Not installed:$$missing. What needs them is skipped."
 
 cluster: .venv/installed-bench cluster-programs ## PostgreSQL, three nodes and HAProxy on this machine; Ctrl-C ends all
 	$(BIN)/python -m cluster $(ARGS)

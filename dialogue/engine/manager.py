@@ -172,6 +172,7 @@ def _mentioned(turn: Turn) -> Node | None:
         return None
     if current.gentle and not found.gentle and _is_being_heard(turn, current):
         turn.note("stay", f"{found.key} can wait: the person is being listened to.")
+        turn.change(ordering=turn.state.ordering or "wc")
         return None
     return found
 
@@ -181,13 +182,9 @@ def _is_being_heard(turn: Turn, node: Node) -> bool:
 
     Who was asked what comes next names it.
     """
-    if turn.state.ordering:
-        return True
     said = turn.state.used_slots(node.number).bit_count()
-    if said >= HEARD_OUT or turn.state.last_type == INITIATIVE:
-        return False
-    turn.change(ordering="wc")
-    return True
+    asked = turn.state.last_type == INITIATIVE
+    return bool(turn.state.ordering) or (said < HEARD_OUT and not asked)
 
 
 def _nod(turn: Turn, mentioned: Node, *, answered: bool, asked: bool) -> None:

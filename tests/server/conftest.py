@@ -54,6 +54,21 @@ def manage(var: Path, *arguments: str) -> str:
     return done.stdout
 
 
+def manage_at_once(count: int, settings: dict[str, str], *arguments: str) -> list[tuple[int, str]]:
+    """Run manage.py on several nodes at once; return the codes and what was complained of."""
+    nodes = [
+        subprocess.Popen(
+            [sys.executable, "manage.py", *arguments],
+            cwd=ROOT,
+            env=settings,
+            stderr=subprocess.PIPE,
+        )
+        for _ in range(count)
+    ]
+    told = [node.communicate(timeout=240)[1].decode()[-500:] for node in nodes]
+    return [(node.returncode, text) for node, text in zip(nodes, told, strict=True)]
+
+
 @dataclass(frozen=True)
 class Answer:
     """What a server answered."""

@@ -1,8 +1,6 @@
 """Real servers on a real PostgreSQL: it goes away and comes back, and nobody in a talk notices."""
 
 import json
-import subprocess
-import sys
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
@@ -11,7 +9,7 @@ import pytest
 
 from tests.postgres import NoPostgresError, Postgres, private_postgres
 from tests.server import conftest
-from tests.server.conftest import ROOT, Server, manage, wait_for
+from tests.server.conftest import Server, manage, manage_at_once, wait_for
 from tests.site_fixtures import CONTENT
 
 Serve = Callable[[Path], Server]
@@ -133,11 +131,6 @@ def test_several_nodes_migrate_at_once(
     kind: str, postgres: Postgres, loopback: None, tmp_path: Path
 ) -> None:
     url = f"sqlite:///{tmp_path}/x" if kind == "sqlite" else postgres.new_database("fresh")
-    command = [sys.executable, "manage.py", "migrate", "--verbosity", "0"]
-    environment = plain_environment(tmp_path / "var") | {"DATABASE_URL": url}
-    nodes = [
-        subprocess.Popen(command, cwd=ROOT, env=environment, stderr=subprocess.PIPE)
-        for _ in range(4)
-    ]
-    told = [node.communicate(timeout=120)[1].decode()[-500:] for node in nodes]
-    assert [node.returncode for node in nodes] == [0] * 4, told
+    settings = plain_environment(tmp_path / "var") | {"DATABASE_URL": url}
+    done = manage_at_once(4, settings, "migrate", "--verbosity", "0")
+    assert [code for code, _told in done] == [0] * 4, done

@@ -12,7 +12,7 @@ import pytest
 from cluster.pgbouncer import private_pgbouncer
 from tests.postgres import NoPostgresError, Postgres, private_postgres
 from tests.server import conftest
-from tests.server.conftest import ROOT, Server, manage
+from tests.server.conftest import ROOT, Server, manage, manage_at_once
 from tests.site_fixtures import CONTENT
 
 Serve = Callable[[Path], Server]
@@ -46,14 +46,9 @@ def tls(loopback: None) -> Iterator[Postgres]:
 
 
 def test_through_a_pooler_several_nodes_set_up_at_once(pooled: str, tmp_path: Path) -> None:
-    command = [sys.executable, "manage.py", "prepare", "--content", str(CONTENT)]
-    environment = plain_environment(tmp_path / "var") | {"DATABASE_URL": pooled}
-    nodes = [
-        subprocess.Popen(command, cwd=ROOT, env=environment, stderr=subprocess.PIPE)
-        for _ in range(3)
-    ]
-    told = [node.communicate(timeout=240)[1].decode()[-500:] for node in nodes]
-    assert [node.returncode for node in nodes] == [0] * 3, told
+    settings = plain_environment(tmp_path / "var") | {"DATABASE_URL": pooled}
+    done = manage_at_once(3, settings, "prepare", "--content", str(CONTENT))
+    assert [code for code, _told in done] == [0] * 3, done
 
 
 def test_through_a_pooler_people_talk_and_experts_log_in(
